@@ -9,7 +9,7 @@
 
 #include "analysis/data/test_row.h"
 #include "study/export/column.h"
-#include "study/results/felt_curves.h"
+#include "study/results/rendered_force_curves.h"
 #include "study/results/results.h"
 
 namespace study {
@@ -96,6 +96,6 @@ RenderedForceResult renderedForceResult(Study& study, RunMode mode);
 /// The differences of rendered forces: one row for each pair of conditions, over all cohorts; a
 /// single row with the reason if traces cannot be read.
 std::vector<StatisticsRow> renderedForceRows(
-    const RenderedForceResult& felt, const std::map<std::string, std::string>& codes);
+    const RenderedForceResult& forces, const std::map<std::string, std::string>& codes);
 
 }  // namespace study

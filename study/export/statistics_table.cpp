@@ -6,8 +6,8 @@
 #include "study/export/condition_codes.h"
 #include "study/export/export_parts.h"
 #include "study/export/statistics_row.h"
-#include "study/results/felt_curves.h"
 #include "study/results/pooled_results.h"
+#include "study/results/rendered_force_curves.h"
 
 namespace study {
 namespace {

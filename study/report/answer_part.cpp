@@ -208,7 +208,7 @@ class AnswerWriter : HtmlWriter {
     if (svg.empty()) {
       figure(svg, caption, "answer-figure");
     } else {
-      captioned(svg, say(caption) + (isOfSome ? " " + others : std::string()), "answer-figure");
+      putFigure(svg, say(caption) + (isOfSome ? " " + others : std::string()), "answer-figure");
     }
   }
 

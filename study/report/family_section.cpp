@@ -29,7 +29,7 @@ class FamilyWriter : HtmlWriter {
     }
     figureOrReference(
         MainFigure::ParticipantMeans, figures_.participantMeans, kParticipantMeansCaption);
-    if (result_.isNamed("welch")) pooled();
+    if (result_.isNamed("welch")) putPooledTests();
     html_ += withinAsHtml(section_, result_, figures_.effects);
     html_ += sitesAsHtml(section_, result_, figures_.sites);
     checks();
@@ -95,7 +95,7 @@ class FamilyWriter : HtmlWriter {
   }
 
   /// Welch's tests of pooled answers, in the form of the punch paper's table.
-  void pooled() {
+  void putPooledTests() {
     const auto isTested = [](const auto& part) {
       return std::ranges::any_of(
           part.comparisons.rows, [](const auto& test) { return test.p.has_value(); });
@@ -123,7 +123,7 @@ class FamilyWriter : HtmlWriter {
                                  : perTest ? say(", α per test {:.4f}", *perTest)
                                            : std::string()));
       if (!isTested(part)) continue;
-      for (const auto& test : part.comparisons.rows) pooled(test);
+      for (const auto& test : part.comparisons.rows) putPooledTest(test);
     }
     endTable();
     note(
@@ -134,7 +134,7 @@ class FamilyWriter : HtmlWriter {
               "(exploratory).");
   }
 
-  void pooled(const analysis::TestRow& test) {
+  void putPooledTest(const analysis::TestRow& test) {
     const auto pair = condition(test.group1) + " vs. " + condition(test.group2);
     if (!test.p) return row({pair}, notDefined(test.reason));
     const bool isBold = result_.isConfirmatory("welch") && test.isSignificant.value_or(false);

@@ -63,14 +63,14 @@ class SitesWriter : HtmlWriter {
            site.weight > 0.0 ? rounded(100.0 * site.weight, 0) + " %" : std::string()});
     }
     if (comparison.pooled) {
-      pooled(say("All sites, one effect"), comparison.pooled->common);
-      pooled(
+      putPooled(say("All sites, one effect"), comparison.pooled->common);
+      putPooled(
           say("All sites, random effects (REML, Knapp–Hartung)"), comparison.pooled->knappHartung);
-      heterogeneity(*comparison.pooled);
+      putHeterogeneity(*comparison.pooled);
     } else {
       rowOver(say("not pooled: {}", section_.inWords(comparison.reason)));
     }
-    model(say("Mixed model, sites as random effects"), comparison.randomSites);
+    putModel(say("Mixed model, sites as random effects"), comparison.randomSites);
     if (const auto& fit = sites.randomSites.fit) {
       const auto& components = fit->components;
       rowOver(
@@ -80,11 +80,11 @@ class SitesWriter : HtmlWriter {
     }
   }
 
-  void pooled(const std::string& which, const analysis::PooledEstimate& pooled) {
+  void putPooled(const std::string& which, const analysis::PooledEstimate& pooled) {
     row({which, "", rounded(pooled.estimate, 2), cellOf(pooled.interval), cellOfP(pooled.p), ""});
   }
 
-  void heterogeneity(const analysis::MetaAnalysis& pooled) {
+  void putHeterogeneity(const analysis::MetaAnalysis& pooled) {
     rowOver(
         say("Heterogeneity: Q({}) = {}, p {}; I² = {} %; τ² = {}",
             pooled.sites - 1,
@@ -94,7 +94,7 @@ class SitesWriter : HtmlWriter {
             rounded(pooled.reml.tauSquared, 3)));
   }
 
-  void model(const std::string& which, const analysis::TestRow& test) {
+  void putModel(const std::string& which, const analysis::TestRow& test) {
     if (!test.p) {
       return row({which}, notDefined(test.reason));
     }

@@ -36,7 +36,7 @@ class TestsWriter : HtmlWriter {
     tests();
     if (mainFigureOf(section_, result_) != MainFigure::Differences)
       figure(effects, differencesCaption(result_));
-    between();
+    putTestsBetweenCohorts();
     return std::move(html_);
   }
 
@@ -197,7 +197,7 @@ class TestsWriter : HtmlWriter {
     return isWithin ? rounded(bf10, 2) : escaped(*bf10 < 1.0 ? "< 0.01" : "> 1000");
   }
 
-  void between() {
+  void putTestsBetweenCohorts() {
     const auto isTestedPair = [](const BetweenResult& b) {
       return std::ranges::any_of(b.tests, [](const auto& test) { return test.p.has_value(); });
     };

@@ -16,7 +16,6 @@ namespace study::report {
 
 /// Symbols of statistics, in italics as the APA asks.
 inline constexpr const char* kM = "<i>M</i>";
-inline constexpr const char* kSd = "<i>SD</i>";
 inline constexpr const char* kN = "<i>n</i>";
 inline constexpr const char* kP = "<i>p</i>";
 inline constexpr const char* kT = "<i>t</i>";
@@ -78,7 +77,8 @@ class HtmlWriter {
   static std::string textHeading(const std::string& heading) {
     return std::string(kTextHeading) + heading;
   }
-  /// @param words  over all columns that have no cell, such as why there are no numbers
+  /// @param words  a text in one wide cell that spans the columns for which @p cells has no entry,
+  ///               such as why there are no numbers
   void row(std::vector<std::string> cells, std::string words = {}) {
     if (!group_.empty()) rows_.push_back({{}, std::exchange(group_, {})});
     rows_.push_back({std::move(cells), std::move(words)});
@@ -148,10 +148,10 @@ class HtmlWriter {
           say(caption));
       return;
     }
-    captioned(svg, say(caption), key);
+    putFigure(svg, say(caption), key);
   }
   /// @param caption  in the language of the report, escaped.
-  void captioned(const std::string& svg, const std::string& caption, const std::string& key) {
+  void putFigure(const std::string& svg, const std::string& caption, const std::string& key) {
     put("<figure>{}<figcaption{}>{}</figcaption></figure>", svg, idOf(key), caption);
   }
 

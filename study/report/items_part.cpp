@@ -300,7 +300,7 @@ class ItemsWriter : HtmlWriter {
               ? "“{}”: how often each answer was given, by cohort and alternative."
               : "“{}”, by participants’ means: the box holds the middle half, with the median; the "
                 "diamond is the mean. Dots are single people, where there are at most fifty.";
-      captioned(
+      putFigure(
           one.svg,
           fmt::format(
               fmt::runtime(escaped(section_.words(caption))), questionOf(instrument, one.item)),

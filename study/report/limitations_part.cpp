@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostLimitationsOnFirstPage = 4;
 
-/// In kBySeverity, the last that weighs more than conditions that can be told apart.
+/// In kFlagsBySeverity, the last that weighs more than conditions that can be told apart.
 constexpr std::ptrdiff_t kLastSeverityBeforeDisclosures = 2;
 
 /// Warnings about a study's files that say nothing about its results.
@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 14> kFileWarnings{
     "items_not_analysed"};
 
 /// All kinds of flags, the heaviest first.
-constexpr std::array<std::string_view, 13> kBySeverity{
+constexpr std::array<std::string_view, 13> kFlagsBySeverity{
     "n_below_minimum_for_alpha",
     "pseudo_replication",
     "family_not_declared",
@@ -49,8 +49,9 @@ constexpr std::array<std::string_view, 13> kBySeverity{
     "late_ticks",
     "saturated"};
 
-/// Those that concern tests and distributions: one participant has neither.
-constexpr std::array<std::string_view, 6> kOfSeveralPeople{
+/// The flags that concern tests or distributions. They are left out for a study of one participant,
+/// who has neither.
+constexpr std::array<std::string_view, 6> kFlagsThatNeedSeveralPeople{
     "n_below_minimum_for_alpha",
     "pseudo_replication",
     "paired_data_unpaired_test",
@@ -110,7 +111,7 @@ class LimitationsWriter : HtmlWriter {
         say("None of {} checks of the trials and of the compared answers found anything; "
             "“Limitations” in "
             "the appendix says what they look for.",
-            std::ranges::count_if(kBySeverity, [&](auto id) { return isLookedFor(id); }));
+            std::ranges::count_if(kFlagsBySeverity, [&](auto id) { return isLookedFor(id); }));
     const auto ofOne = say("The checks of the compared answers need more participants.");
     const auto explained = say("All of it is explained in the appendix, under “Limitations”.");
     const bool isOfOne = section_.results.completed() == 1;
@@ -204,7 +205,7 @@ class LimitationsWriter : HtmlWriter {
   }
 
   static std::ptrdiff_t severityOf(const Limitation& limitation) {
-    return std::ranges::find(kBySeverity, limitation.flag->id) - kBySeverity.begin();
+    return std::ranges::find(kFlagsBySeverity, limitation.flag->id) - kFlagsBySeverity.begin();
   }
 
   /// The cohorts in which only one person completed, in a study of several.
@@ -316,7 +317,7 @@ class LimitationsWriter : HtmlWriter {
   /// there are neither tests nor distributions.
   bool isLookedFor(std::string_view id) const {
     if (id == "late_ticks") return section_.quality.worstLateness.has_value();
-    return section_.results.completed() != 1 || !isIn(kOfSeveralPeople, id);
+    return section_.results.completed() != 1 || !isIn(kFlagsThatNeedSeveralPeople, id);
   }
 
   /// What was looked for and not found, and what could not be looked for. Of one participant most
@@ -325,7 +326,7 @@ class LimitationsWriter : HtmlWriter {
     if (section_.results.completed() == 1) return;
     std::string absent;
     std::string unknown;
-    for (const auto id : kBySeverity) {
+    for (const auto id : kFlagsBySeverity) {
       const auto isSame = [&](const auto& other) { return other.flag->id == id; };
       if (std::ranges::any_of(found, isSame)) continue;
       auto& titles = isLookedFor(id) ? absent : unknown;
@@ -345,7 +346,8 @@ class LimitationsWriter : HtmlWriter {
     std::vector<Limitation> all;
     for (const auto& family : section_.results.families) {
       for (const auto& raised : flagsByKind(family, isPooled(Profile::Declared, family.family))) {
-        if (section_.results.completed() == 1 && isIn(kOfSeveralPeople, raised.flag->id)) continue;
+        if (section_.results.completed() == 1 && isIn(kFlagsThatNeedSeveralPeople, raised.flag->id))
+          continue;
         auto same = std::ranges::find_if(
             all, [&](const auto& other) { return other.flag->id == raised.flag->id; });
         if (same == all.end()) same = all.insert(all.end(), {raised.flag, {}});

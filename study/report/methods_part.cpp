@@ -105,7 +105,8 @@ class MethodsWriter : HtmlWriter {
     return ethics.empty() ? text + " " + noEthics : text;
   }
 
-  /// What the laboratory wrote for the blank "[[key]]", without the stop that the sentence has.
+  /// What the laboratory wrote for the blank "[[key]]", without its full stop, because the
+  /// sentence around it has one.
   std::string textOf(const std::string& key) const {
     const auto found = section_.protocol.texts.find(key);
     if (found == section_.protocol.texts.end()) return {};

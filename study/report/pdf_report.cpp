@@ -170,8 +170,8 @@ std::vector<std::pair<QTextBlock, QBrush>> takeBackgrounds(QTextDocument& docume
   return taken;
 }
 
-/// Paints all pages with their feet.
-/// @param printed  the foot of its pages, beside which are their numbers
+/// Paints all pages with their footers.
+/// @param printed  the text of the footer, beside which is the page's number
 void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font, const PrintHtml& printed) {
   const auto backgrounds = takeBackgrounds(document);
   layOutAgain(document);

@@ -215,7 +215,7 @@ std::string ReportSection::introducedTitle(const std::string& condition) const {
 
 std::string ReportSection::blockTitle(const std::string& block) const {
   int number = 0;
-  std::optional<bool> isSeen;
+  std::optional<bool> isVisualised;
   std::set<std::optional<bool>> kinds;
   int found = 0;
   for (const auto& phase : protocol.phases) {
@@ -224,14 +224,14 @@ std::string ReportSection::blockTitle(const std::string& block) const {
     kinds.insert(phase.trials.isVisualised);
     if (phase.id != block) continue;
     found = number;
-    isSeen = phase.trials.isVisualised;
+    isVisualised = phase.trials.isVisualised;
   }
   if (found == 0) return block;
   const bool doDiffer = kinds.size() == 2 && !kinds.contains(std::nullopt);
   const auto seen = words.say("round {} (also seen)", found);
   const auto felt = words.say("round {} (felt only)", found);
   const auto plain = words.say("round {}", found);
-  return !doDiffer ? plain : *isSeen ? seen : felt;
+  return !doDiffer ? plain : *isVisualised ? seen : felt;
 }
 
 std::string ReportSection::titleOf(const std::string& id) const {
@@ -378,9 +378,9 @@ ReportSection gatherResults(Study& study, RunMode mode, const words::Words& word
 
 ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
   auto section = gatherResults(study, mode, words);
-  auto felt = renderedForceResult(study, mode);
-  section.curves = std::move(felt.curves);
-  section.curvesReason = std::move(felt.reason);
+  auto forces = renderedForceResult(study, mode);
+  section.curves = std::move(forces.curves);
+  section.curvesReason = std::move(forces.reason);
   section.quality = qualityOf(study, mode);
   section.landmarks = landmarksOf(study, mode);
   return section;

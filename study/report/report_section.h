@@ -6,7 +6,7 @@
 
 #include "analysis/data/moments.h"
 #include "study/results/apa_text.h"
-#include "study/results/felt_curves.h"
+#include "study/results/rendered_force_curves.h"
 #include "study/results/results.h"
 #include "study/session/analysis_plan_history.h"
 #include "study/session/study.h"

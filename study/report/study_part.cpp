@@ -26,10 +26,10 @@ class HeadWriter : HtmlWriter {
     const auto verdict = verdictOf(section_);
     if (!verdict.empty()) put("<p class=\"verdict\">{}</p>", escaped(verdict));
     if (!section_.results.families.empty()) heading("The question");
-    for (const auto& family : section_.results.families) declared(family);
+    for (const auto& family : section_.results.families) putDeclared(family);
   }
 
-  void declared(const FamilyResult& result) {
+  void putDeclared(const FamilyResult& result) {
     const auto& family = result.family;
     std::vector<std::string> compared;
     for (const auto& id : conditionsOf(section_.protocol, family)) {

@@ -48,7 +48,8 @@ std::optional<MostNamed> mostNamedIn(const Results& results) {
   return std::nullopt;
 }
 
-/// A sentence on what the declared test found; the first one in a text names that test.
+/// Two forms of a sentence on what the declared test found: `first` begins a text and names the
+/// test, `next` follows it.
 struct Finding {
   std::string_view first;
   std::string_view next;

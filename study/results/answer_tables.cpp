@@ -37,9 +37,10 @@ struct AnsweredForm {
 
 std::vector<AnsweredForm> formsOf(const std::vector<ParticipantAnswer>& answers) {
   std::map<VisitKey, AnsweredForm> forms;
-  for (const auto& owned : answers) {
-    auto& form = forms.try_emplace(owned.record->step.visit, AnsweredForm{owned, {}}).first->second;
-    form.answers.push_back({owned.record->answer.item, owned.record->answer.response});
+  for (const auto& answer : answers) {
+    auto& form =
+        forms.try_emplace(answer.record->step.visit, AnsweredForm{answer, {}}).first->second;
+    form.answers.push_back({answer.record->answer.item, answer.record->answer.response});
   }
   std::vector<AnsweredForm> all;
   for (auto& [visit, form] : forms) all.push_back(std::move(form));
@@ -105,9 +106,9 @@ analysis::AnswerTable answerTable(
   const FamilyLayout layout(loaded, family);
   auto table = layout.table();
   table.participants = people;
-  const auto add = [&](const ParticipantAnswer& owned, const std::string& what, double value) {
-    const auto& step = owned.record->step;
-    const auto person = placeOf(table.participants, *owned.participant);
+  const auto add = [&](const ParticipantAnswer& answer, const std::string& what, double value) {
+    const auto& step = answer.record->step;
+    const auto person = placeOf(table.participants, *answer.participant);
     const auto cell = layout.cellOf({step.instrument, step.phase, step.condition, what}, value);
     if (step.kind != StepKind::Questionnaire || !person || !cell) return;
     table.answers.push_back(
@@ -126,9 +127,9 @@ analysis::AnswerTable answerTable(
     }
     return table;
   }
-  for (const auto& owned : answers) {
-    if (const auto given = numberOf(owned.record->answer.response)) {
-      add(owned, owned.record->answer.item, *given);
+  for (const auto& answer : answers) {
+    if (const auto given = numberOf(answer.record->answer.response)) {
+      add(answer, answer.record->answer.item, *given);
     }
   }
   return table;
@@ -164,7 +165,7 @@ std::vector<std::size_t> comparativeStatements(
   for (const std::size_t place : answered) {
     const auto* item = instrument.item(table.statements[place]);
     const bool isRelative =
-        item != nullptr && item->reference == questionnaires::Reference::Previous;
+        item != nullptr && item->comparedWith == questionnaires::Reference::Previous;
     if (isRelative && family.score.empty()) places.push_back(place);
   }
   return places;

@@ -88,7 +88,7 @@ class ApaWriter {
     if (!test.p) return words_.say("equivalence not defined: {}", words_(test.reason));
     return words_.say(
         "equivalent within ±{:g}: TOST {}",
-        test.additional("equivalence_bound").value_or(0.0),
+        test.additionalNumber("equivalence_bound").value_or(0.0),
         formatPWithSymbol(test.p));
   }
 
@@ -100,7 +100,7 @@ class ApaWriter {
         rounded(test.statistic.value, 2),
         formatPWithSymbol(test.p),
         rounded(test.effect.value, 2));
-    const auto exactP = test.additional("p_permutation");
+    const auto exactP = test.additionalNumber("p_permutation");
     if (exactP) line += words_.say(", exact {}", formatPWithSymbol(exactP));
     return line;
   }
@@ -114,10 +114,10 @@ class ApaWriter {
         rounded(test.statistic.value, 2),
         formatPWithSymbol(test.p),
         rounded(test.effect.value, 2));
-    if (const auto p = test.additional("p_epsilon")) {
+    if (const auto p = test.additionalNumber("p_epsilon")) {
       line += fmt::format(
           ", Greenhouse–Geisser ε = {}, {}",
-          rounded(test.additional("epsilon"), 2),
+          rounded(test.additionalNumber("epsilon"), 2),
           formatPWithSymbol(p));
     }
     return line;

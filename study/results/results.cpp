@@ -189,12 +189,12 @@ class Computation {
         people.push_back(session.participant);
       }
     }
-    std::vector<ParticipantAnswer> owned;
+    std::vector<ParticipantAnswer> answers;
     for (const auto& answer : answers_) {
       if (!isOf(family, answer) || cohortOf(answer) != cohort) continue;
-      owned.push_back({&sessions_.at(answer.step.visit.session).participant, &answer});
+      answers.push_back({&sessions_.at(answer.step.visit.session).participant, &answer});
     }
-    return answerTable(loaded_, family, people, owned);
+    return answerTable(loaded_, family, people, answers);
   }
 
   /// The threshold of a family: its smallest p is significant if it is at most this value.

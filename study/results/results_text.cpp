@@ -37,7 +37,7 @@ class Writer {
     head();
     for (const auto& family : results_.families) {
       means(family);
-      isPooled(profile_, family.family) ? asPublished(family) : recommended(family);
+      isPooled(profile_, family.family) ? writeAsPublished(family) : writeRecommended(family);
       flags(family);
     }
     if (!results_.votes.empty()) votes();
@@ -112,7 +112,7 @@ class Writer {
   }
 
   /// The tables of Profile::AsPublished. Tests that are not declared are marked as exploratory.
-  void asPublished(const FamilyResult& family) {
+  void writeAsPublished(const FamilyResult& family) {
     const bool isCorrected = !correctionOf(family.family).empty();
     line(fmt::format(
         "\n{}: Welch's t-tests{}, alpha = {} ({})",
@@ -140,7 +140,7 @@ class Writer {
                                                   : protocols::CorrectionType::Bonferroni);
   }
 
-  void recommended(const FamilyResult& family) {
+  void writeRecommended(const FamilyResult& family) {
     line(fmt::format(
         "\n{}: within people, alpha = {}\n  {}",
         family.family.title,
@@ -166,17 +166,17 @@ class Writer {
         line("  " + titleOf(row.group1) + " vs. " + titleOf(row.group2));
         for (const auto& words : apaLines(row, family.family, {}, wording_)) line("    " + words);
       }
-      if (cohort.sites) bySite(*cohort.sites);
+      if (cohort.sites) writeBySite(*cohort.sites);
       writeChecks(cohort);
     }
-    between(family);
+    writeBetween(family);
   }
 
   void probability(const analysis::TestRow& row, double alpha) {
     line(fmt::format(
         "  {}: answers of {:g} or more: observed {}, probability {}",
         titleOf(row.group1),
-        row.additional("from").value_or(0.0),
+        row.additionalNumber("from").value_or(0.0),
         rounded(row.statistic.value, 2),
         row.effect.value ? fmt::format(
                                "{}, {:g} % CI {} (ordinal mixed model)",
@@ -186,7 +186,7 @@ class Writer {
                          : "not defined: " + base::describe(row.reason)));
   }
 
-  void bySite(const analysis::SiteAnalysis& sites) {
+  void writeBySite(const analysis::SiteAnalysis& sites) {
     for (const auto& row : sites.rows) {
       line("  By site, " + titleOf(row.group1) + " vs. " + titleOf(row.group2));
       for (const auto& site : row.sites) {
@@ -201,7 +201,7 @@ class Writer {
         line("    not pooled: " + base::describe(row.reason));
         continue;
       }
-      pooled("all sites", row.pooled->knappHartung);
+      writePooled("all sites", row.pooled->knappHartung);
       line(fmt::format(
           "    heterogeneity: Q({}) = {}, p {}, I² = {:.0f} %, τ² = {} (DerSimonian–Laird: {})",
           row.pooled->sites - 1,
@@ -210,11 +210,12 @@ class Writer {
           100.0 * row.pooled->reml.iSquared,
           rounded(row.pooled->reml.tauSquared, 3),
           rounded(row.pooled->derSimonianLaird.tauSquared, 3)));
-      for (const auto& without : row.leaveOneOut) pooled("without " + without.site, without.pooled);
+      for (const auto& without : row.leaveOneOut)
+        writePooled("without " + without.site, without.pooled);
     }
   }
 
-  void pooled(const std::string& which, const analysis::PooledEstimate& pooled) {
+  void writePooled(const std::string& which, const analysis::PooledEstimate& pooled) {
     line(fmt::format(
         "    {}: {} {}, p {} (random effects, REML, Knapp–Hartung)",
         which,
@@ -247,7 +248,7 @@ class Writer {
     }
   }
 
-  void between(const FamilyResult& family) {
+  void writeBetween(const FamilyResult& family) {
     if (family.between.empty()) return;
     line("Between cohorts, on participants' means (exploratory)");
     for (const auto& row : family.between) {

@@ -131,7 +131,7 @@ struct StudyPlan {
   std::vector<FamilyPlan> families;
   std::vector<VotePlan> votes;
   SessionLength length;
-  double mostForce = 0.0;  ///< largest force limit of the study's devices [N]
+  double largestForce = 0.0;  ///< largest force limit of the study's devices [N]
 };
 
 StudyPlan planOf(const protocols::LoadedProtocol& loaded, const StudyPlanOptions& planOptions);

@@ -460,7 +460,7 @@ std::string ethicsParagraph(const StudyPlan& plan) {
       "device, which is limited to {:g} N. Participants may pause or stop at any time.",
       std::ceil(plan.length.seconds / 60.0),
       std::ceil(plan.length.secondsOnDevice / 60.0),
-      plan.mostForce);
+      plan.largestForce);
   return words;
 }
 

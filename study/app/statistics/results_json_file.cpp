@@ -5,7 +5,7 @@
 #include "study/export/statistics_row.h"
 #include "study/report/references.h"
 #include "study/results/apa_text.h"
-#include "study/results/felt_curves.h"
+#include "study/results/rendered_force_curves.h"
 #include "study/results/vote_tables.h"
 
 namespace study::app {
@@ -296,22 +296,22 @@ ResultJson itemAsJson(const ItemSummary& one) {
 }
 
 /// The manipulation check: differences of rendered forces [N].
-ResultJson differenceAsJson(const RenderedForceDifference& felt) {
+ResultJson differenceAsJson(const RenderedForceDifference& difference) {
   return {
-      {"condition1", felt.condition1},
-      {"condition2", felt.condition2},
-      {"rms_pooled", felt.pooled},
-      {"n", felt.participants},
-      {"rms_mean", nullable(felt.mean)},
-      {"conf", limits(felt.interval)}};
+      {"condition1", difference.condition1},
+      {"condition2", difference.condition2},
+      {"rms_pooled", difference.pooled},
+      {"n", difference.participants},
+      {"rms_mean", nullable(difference.mean)},
+      {"conf", limits(difference.interval)}};
 }
 
 /// Adds `felt_differences`; null with a reason if the traces could not be read.
-void addRenderedForces(ResultJson& json, const RenderedForceResult& felt) {
+void addRenderedForces(ResultJson& json, const RenderedForceResult& forces) {
   auto& all = json["felt_differences"];
-  if (felt.reason.empty()) all = ResultJson::array();
-  for (const auto& d : renderedForceDifferences(felt.curves)) all.push_back(differenceAsJson(d));
-  json["felt_differences_reason"] = reasonOf(felt.reason);
+  if (forces.reason.empty()) all = ResultJson::array();
+  for (const auto& d : renderedForceDifferences(forces.curves)) all.push_back(differenceAsJson(d));
+  json["felt_differences_reason"] = reasonOf(forces.reason);
 }
 
 }  // namespace

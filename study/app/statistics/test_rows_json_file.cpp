@@ -79,7 +79,7 @@ ResultJson ordinalModelAsJson(const analysis::TestRow& test) {
 
 ResultJson equivalenceAsJson(const analysis::TestRow& test) {
   return {
-      {"bound", nullable(test.additional("equivalence_bound"))},
+      {"bound", nullable(test.additionalNumber("equivalence_bound"))},
       {"p", nullable(test.p)},
       {"reason", reasonOf(test.reason)}};
 }
@@ -107,7 +107,7 @@ ResultJson withinAsJson(const analysis::WithinComparison& comparison) {
   json["hodges_lehmann"] = nullable(rank.estimate.value);
   json["mixed_model"] = mixedModelAsJson(comparison.test("mixed_model"));
   json["ordinal_model"] = ordinalModelAsJson(comparison.test("ordinal_model"));
-  json["d_z"] = nullable(paired.additional("d_z"));
+  json["d_z"] = nullable(paired.additionalNumber("d_z"));
   json["g_z"] = nullable(paired.effect.value);
   addInterval(json, "g_z_", paired.effectInterval);
   json["bf10"] = nullable(comparison.test("bayes_factor").effect.value);
@@ -125,12 +125,13 @@ ResultJson withinAsJson(const analysis::WithinComparison& comparison) {
 
 ResultJson friedmanAsJson(const analysis::TestRow& test) {
   // df is also written if there are too few participants for χ².
-  const auto conditions = static_cast<std::int64_t>(test.additional("conditions").value_or(0.0));
+  const auto conditions =
+      static_cast<std::int64_t>(test.additionalNumber("conditions").value_or(0.0));
   return {
       {"chi2", nullable(test.statistic.value)},
       {"df", conditions > 0 ? ResultJson(conditions - 1) : ResultJson(nullptr)},
       {"p", nullable(test.p)},
-      {"p_exact", nullable(test.additional("p_permutation"))},
+      {"p_exact", nullable(test.additionalNumber("p_permutation"))},
       {"kendall_w", nullable(test.effect.value)},
       {"reason", reasonOf(test.reason)}};
 }
@@ -142,8 +143,8 @@ ResultJson anovaAsJson(const analysis::TestRow& test) {
       {"df2", nullable(test.df2)},
       {"p", nullable(test.p)},
       {"partial_eta2", nullable(test.effect.value)},
-      {"greenhouse_geisser", nullable(test.additional("epsilon"))},
-      {"p_greenhouse_geisser", nullable(test.additional("p_epsilon"))},
+      {"greenhouse_geisser", nullable(test.additionalNumber("epsilon"))},
+      {"p_greenhouse_geisser", nullable(test.additionalNumber("p_epsilon"))},
       {"reason", reasonOf(test.reason)}};
 }
 

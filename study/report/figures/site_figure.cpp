@@ -67,10 +67,10 @@ class SitePainter {
       const auto rows = static_cast<double>(row.sites.size() + 1);
       canvas_.reference(0.0, y_, y_ + rows * RowsCanvas::rowHeight(format_, kSiteRows.height));
       for (const auto& one : row.sites) {
-        site(one);
+        paintSite(one);
         y_ += RowsCanvas::rowHeight(format_, kSiteRows.height);
       }
-      pooled(row);
+      paintPooled(row);
       y_ += RowsCanvas::rowHeight(format_, kSiteRows.height);
     });
   }
@@ -79,14 +79,14 @@ class SitePainter {
   double middle() const { return canvas_.drawingOf(y_) + kSiteRows.height / 2; }
   double inside(double x) const { return std::clamp(x, canvas_.left(), canvas_.right()); }
 
-  void site(const analysis::SiteDifference& one) {
+  void paintSite(const analysis::SiteDifference& one) {
     canvas_.name(one.site + " (n = " + std::to_string(one.test.n) + ")", y_, kSiteRows.height);
     if (!one.test.meanDifference) {
       canvas_.words(section_.words("not defined"), y_, kSiteRows.height);
       return;
     }
     const QColor colour = categoryColour(0);
-    if (one.interval) interval(*one.interval, colour);
+    if (one.interval) paintInterval(*one.interval, colour);
     const double half = 0.5 * std::max(3.0, kLargestSquare * std::sqrt(one.weight));
     painter_.setPen(QPen(Qt::white, 1));
     painter_.setBrush(colour);
@@ -98,22 +98,22 @@ class SitePainter {
   }
 
   /// The line from end to end; an arrow where an end is beyond the axis.
-  void interval(const analysis::Interval& interval, const QColor& colour) {
+  void paintInterval(const analysis::Interval& interval, const QColor& colour) {
     const double low = inside(canvas_.x(interval.low));
     const double high = inside(canvas_.x(interval.high));
     painter_.setPen(QPen(colour, 1.8, Qt::SolidLine, Qt::FlatCap));
     painter_.drawLine(QPointF(low, middle()), QPointF(high, middle()));
-    if (low <= canvas_.left()) arrow(low, 1.0);
-    if (high >= canvas_.right()) arrow(high, -1.0);
+    if (low <= canvas_.left()) paintArrow(low, 1.0);
+    if (high >= canvas_.right()) paintArrow(high, -1.0);
   }
 
-  void arrow(double tip, double direction) {
+  void paintArrow(double tip, double direction) {
     for (const double side : {-4.0, 4.0}) {
       painter_.drawLine(QPointF(tip, middle()), QPointF(tip + direction * 6.0, middle() + side));
     }
   }
 
-  void pooled(const analysis::SiteComparison& row) {
+  void paintPooled(const analysis::SiteComparison& row) {
     canvas_.name(section_.words("All sites"), y_, kSiteRows.height);
     if (!row.pooled) {
       canvas_.words(section_.words("not defined"), y_, kSiteRows.height);

@@ -20,19 +20,19 @@ struct Share {
 };
 
 /// Bars below a heading.
-struct Shares {
+struct ShareGroup {
   std::string heading;
   std::uint64_t total = 0;
   std::vector<Share> bars;
   bool isOfEqualChance = false;  ///< the share of each, if all were chosen equally often, is marked
 };
 
-std::vector<Shares> sharesOf(const ReportSection& section) {
-  std::vector<Shares> all;
+std::vector<ShareGroup> sharesOf(const ReportSection& section) {
+  std::vector<ShareGroup> all;
   for (const auto& cohort : section.results.flow) {
     for (const auto& vote : section.results.votes) {
       if (vote.cohort != cohort.cohort || vote.votes.total() == 0) continue;
-      auto& group = all.emplace_back(Shares{
+      auto& group = all.emplace_back(ShareGroup{
           .heading = section.cohortTitle(vote.cohort) + ", " + section.blockTitle(vote.block),
           .total = vote.votes.total(),
           .isOfEqualChance = true});
@@ -50,13 +50,13 @@ std::vector<Shares> sharesOf(const ReportSection& section) {
 }
 
 /// A group for each cohort and alternative, a bar for each option.
-std::vector<Shares> sharesOf(
+std::vector<ShareGroup> sharesOf(
     const ReportSection& section,
     const questionnaires::Item& item,
     const std::vector<ItemSummary>& summaries) {
-  std::vector<Shares> all;
+  std::vector<ShareGroup> all;
   for (const auto& one : summaries) {
-    auto& group = all.emplace_back(Shares{
+    auto& group = all.emplace_back(ShareGroup{
         .heading = section.cohortTitle(one.cohort) + ", " + section.conditionTitle(one.condition),
         .total = one.answers});
     for (const auto& [id, times] : one.options) {
@@ -76,7 +76,7 @@ double heightOf(std::size_t bars, const FigureFormat& format) {
          static_cast<double>(bars) * RowsCanvas::rowHeight(format, kVoteRows.height);
 }
 
-QSizeF sizeOf(const std::vector<Shares>& groups, const FigureFormat& format) {
+QSizeF sizeOf(const std::vector<ShareGroup>& groups, const FigureFormat& format) {
   double height = RowsCanvas::kAxis;
   for (const auto& group : groups) height += heightOf(group.bars.size(), format);
   return {format.layoutWidth(), height};
@@ -93,7 +93,7 @@ class SharePainter {
             kVoteRows,
             AxisScale({.title = {}, .least = 0.0, .most = 100.0}, 0.0, 100.0)) {}
 
-  void paint(const std::vector<Shares>& groups, const std::string& axis) {
+  void paint(const std::vector<ShareGroup>& groups, const std::string& axis) {
     const double bottom = sizeOf(groups, format_).height() - RowsCanvas::kAxis;
     canvas_.axis(RowsCanvas::kHeading, bottom, axis, QStringLiteral(" %"));
     double y = 0.0;

@@ -1,5 +1,5 @@
 // How much the force of two alternatives differed at the handle.
-#include "study/results/felt_curves.h"
+#include "study/results/rendered_force_curves.h"
 
 #include <cmath>
 #include <map>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace study {
-namespace felt_curves_test {
+namespace rendered_force_curves_test {
 
 using Medians = std::map<int, double>;
 
@@ -24,7 +24,7 @@ RenderedForceCurve curve(
   return made;
 }
 
-TEST(FeltDifferences, CompareBothColumnsOverTheTravelThatEveryParticipantPassed) {
+TEST(RenderedForceDifferences, CompareBothColumnsOverTheTravelThatEveryParticipantPassed) {
   const auto found = renderedForceDifferences(
       {curve(
            "a",
@@ -40,7 +40,7 @@ TEST(FeltDifferences, CompareBothColumnsOverTheTravelThatEveryParticipantPassed)
   EXPECT_DOUBLE_EQ(found.front().mean.value(), 1.0);
 }
 
-TEST(FeltDifferences, AreNotNarrowedByParticipantsWhoPassedNothingWithBoth) {
+TEST(RenderedForceDifferences, AreNotNarrowedByParticipantsWhoPassedNothingWithBoth) {
   const auto found = renderedForceDifferences(
       {curve(
            "a",
@@ -54,7 +54,7 @@ TEST(FeltDifferences, AreNotNarrowedByParticipantsWhoPassedNothingWithBoth) {
   EXPECT_FALSE(found.front().interval);
 }
 
-TEST(FeltDifferences, NeedNoParticipantWhoFeltBoth) {
+TEST(RenderedForceDifferences, NeedNoParticipantWhoFeltBoth) {
   const auto found = renderedForceDifferences(
       {curve("a", {{0, 1.0}, {1, 1.0}}, {{"P1", {{0, 1.0}, {1, 1.0}}}}),
        curve("b", {{1, 3.0}, {2, 3.0}}, {{"P2", {{1, 3.0}, {2, 3.0}}}})});
@@ -64,5 +64,5 @@ TEST(FeltDifferences, NeedNoParticipantWhoFeltBoth) {
   EXPECT_FALSE(found.front().mean);
 }
 
-}  // namespace felt_curves_test
+}  // namespace rendered_force_curves_test
 }  // namespace study

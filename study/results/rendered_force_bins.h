@@ -8,7 +8,7 @@
 
 #include "haptics/devices/device_kind.h"
 #include "haptics/engine/scene_spec.h"
-#include "study/results/felt_curves.h"
+#include "study/results/rendered_force_curves.h"
 #include "study/storage/trace_store.h"
 
 namespace study {

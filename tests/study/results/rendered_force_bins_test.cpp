@@ -1,5 +1,5 @@
 // The samples of a trial that count as force while the tool advanced.
-#include "study/results/felt_bins.h"
+#include "study/results/rendered_force_bins.h"
 
 #include <vector>
 
@@ -10,7 +10,7 @@
 #include "haptics/engine/built_in_models.h"
 
 namespace study {
-namespace felt_bins_test {
+namespace rendered_force_bins_test {
 
 using haptics::devices::punchKind;
 using haptics::devices::reamerKind;
@@ -134,5 +134,5 @@ TEST(RenderedForceBins, ReachAsDeepAsTheDataOfTheScene) {
   EXPECT_TRUE(ordinary.points().empty());
 }
 
-}  // namespace felt_bins_test
+}  // namespace rendered_force_bins_test
 }  // namespace study

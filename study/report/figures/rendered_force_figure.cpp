@@ -12,14 +12,14 @@
 namespace study::report {
 namespace {
 
-constexpr double kRenderedForceHeight = 290.0;
-constexpr double kRenderedForceAxis = 52.0;   // below the plot
-constexpr double kRenderedForceEntry = 24.0;  // of a legend below the plot
-constexpr std::size_t kMarks = 8;             // along a line
-constexpr double kMark = 5.5;                 // radius
+constexpr double kFigureHeight = 290.0;
+constexpr double kAxisHeight = 52.0;         // below the plot
+constexpr double kLegendEntryHeight = 24.0;  // of a legend below the plot
+constexpr std::size_t kMarks = 8;            // along a line
+constexpr double kMark = 5.5;                // radius
 
 /// The plot; a narrow figure has its legend below, others beside.
-QRectF feltPlotOf(const FigureFormat& format) {
+QRectF renderedForcePlotOf(const FigureFormat& format) {
   constexpr double kLeft = 64.0;
   constexpr double kTop = 14.0;
   constexpr double kUsual = 540.0;
@@ -43,16 +43,16 @@ class RenderedForcePainter {
       const ReportSection& section,
       const std::string& device,
       const FigureFormat& format)
-      : painter_(painter), section_(section), format_(format), plot_(feltPlotOf(format)) {
+      : painter_(painter), section_(section), format_(format), plot_(renderedForcePlotOf(format)) {
     for (std::size_t i = 0; i < section.curves.size(); ++i) {
       const auto& curve = section.curves[i];
       if (!isOf(curve, device)) continue;
       curves_.push_back(&curve);
       for (const auto& point : curve.points) {
-        mostTravel_ = std::max(mostTravel_, point.travel);
-        mostForce_ = std::max(mostForce_, point.high);
+        largestTravel_ = std::max(largestTravel_, point.travel);
+        largestForce_ = std::max(largestForce_, point.high);
       }
-      for (const double force : curve.intended) mostForce_ = std::max(mostForce_, force);
+      for (const double force : curve.intended) largestForce_ = std::max(largestForce_, force);
     }
     shown_ = &section.protocol.device(device)->kind->shown;
   }
@@ -71,13 +71,13 @@ class RenderedForcePainter {
  private:
   QPointF at(double travel, double force) const {
     return {
-        plot_.left() + plot_.width() * travel / std::max(mostTravel_ * 1.02, 1e-12),
-        plot_.bottom() - plot_.height() * force / std::max(mostForce_ * 1.08, 1e-12)};
+        plot_.left() + plot_.width() * travel / std::max(largestTravel_ * 1.02, 1e-12),
+        plot_.bottom() - plot_.height() * force / std::max(largestForce_ * 1.08, 1e-12)};
   }
 
   void axes() {
-    const double shown = std::max(mostTravel_ * shown_->factor, 1e-9);
-    const double most = std::max(mostForce_, 1e-9);
+    const double shown = std::max(largestTravel_ * shown_->factor, 1e-9);
+    const double most = std::max(largestForce_, 1e-9);
     for (const auto& tick :
          AxisScale({.title = {}, .least = 0.0}, 0.0, shown).ticks(format_.isNarrow() ? 4 : 8)) {
       const auto p = at(tick.value / shown_->factor, 0.0);
@@ -168,7 +168,7 @@ class RenderedForcePainter {
   }
 
   void legendBelow() {
-    double y = plot_.bottom() + kRenderedForceAxis;
+    double y = plot_.bottom() + kAxisHeight;
     for (const auto* curve : curves_) {
       painter_.setPen(QPen(categoryColour(section_.conditionIndex(curve->condition)), 3));
       painter_.drawLine(QPointF(plot_.left(), y + 11), QPointF(plot_.left() + 22, y + 11));
@@ -181,7 +181,7 @@ class RenderedForcePainter {
           QString::fromStdString(
               section_.conditionTitle(curve->condition) + ", " +
               section_.words.count(curve->strokes, "{} cut or stroke", "{} cuts or strokes")));
-      y += kRenderedForceEntry;
+      y += kLegendEntryHeight;
     }
   }
 
@@ -215,8 +215,8 @@ class RenderedForcePainter {
   FigureFormat format_;
   QRectF plot_;
   std::vector<const RenderedForceCurve*> curves_;
-  double mostTravel_ = 0.0;
-  double mostForce_ = 0.0;
+  double largestTravel_ = 0.0;
+  double largestForce_ = 0.0;
   const haptics::devices::DeviceKind::TravelDisplay* shown_ = nullptr;  ///< unit of travel
 };
 
@@ -224,11 +224,11 @@ class RenderedForcePainter {
 
 QSizeF renderedForceFigureSize(
     const ReportSection& section, const std::string& device, const FigureFormat& format) {
-  if (!format.isNarrow()) return {format.layoutWidth(), kRenderedForceHeight};
+  if (!format.isNarrow()) return {format.layoutWidth(), kFigureHeight};
   const auto entries = std::ranges::count_if(
       section.curves, [&](const RenderedForceCurve& curve) { return isOf(curve, device); });
-  const double legend = kRenderedForceEntry * static_cast<double>(entries);
-  return {format.layoutWidth(), feltPlotOf(format).bottom() + kRenderedForceAxis + legend + 6.0};
+  const double legend = kLegendEntryHeight * static_cast<double>(entries);
+  return {format.layoutWidth(), renderedForcePlotOf(format).bottom() + kAxisHeight + legend + 6.0};
 }
 
 void paintRenderedForceFigure(

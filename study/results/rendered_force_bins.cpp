@@ -1,4 +1,4 @@
-#include "study/results/felt_bins.h"
+#include "study/results/rendered_force_bins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "study/results/felt_curves.h"
+#include "study/results/rendered_force_curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "analysis/hypothesis_tests/t_tests.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/sample_ring.h"
-#include "study/results/felt_bins.h"
+#include "study/results/rendered_force_bins.h"
 #include "study/storage/records.h"
 
 namespace study {
