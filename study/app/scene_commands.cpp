@@ -256,7 +256,7 @@ Motion motionFor(
   double speed = device.kind->travel.playSpeed;
   for (const auto* condition : conditions) {
     const auto end = haptics::engine::endOfData(*condition->model);
-    motion.most = std::max(motion.most, end.value_or(device.mostTravel));
+    motion.most = std::max(motion.most, end.value_or(device.largestTravel));
     // above the reamer's feed limit the force would grow without bound
     const double limit = 0.9 * haptics::engine::largestFeedOf(condition->scene());
     if (limit > 0.0) speed = std::min(speed, limit);

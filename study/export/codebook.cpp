@@ -94,7 +94,7 @@ ExportedItem itemRow(
       .number = number,
       .type = item.type,
       .key = item.key,
-      .relativeTo = item.reference == questionnaires::Reference::Previous ? "previous" : "",
+      .relativeTo = item.comparedWith == questionnaires::Reference::Previous ? "previous" : "",
       .language = language,
       .text = item.withholds(questionnaires::WordingField::Text) ? "" : item.text.in(language),
       .leftText = item.leftText.in(language),

@@ -137,15 +137,15 @@ class PublicTables {
     const bool isOpinion =
         answer.step.kind == StepKind::Questionnaire || answer.step.kind == StepKind::Preference;
     if (!isForm && !isOpinion) return nullptr;
-    const auto session = sessionOf(answer);
+    const auto person = personOf(answer);
     const auto* instrument =
-        study_.protocol(people_.sessions()[session].protocol).instrument(answer.step.instrument);
+        study_.protocol(people_.sessions()[person].protocol).instrument(answer.step.instrument);
     const auto* item = instrument == nullptr ? nullptr : instrument->item(answer.answer.item);
     if (item == nullptr || isWords(*item)) return nullptr;
     return isForm && isQuasiIdentifier(*item) ? nullptr : item;
   }
 
-  std::size_t sessionOf(const storage::AnswerRecord& answer) const {
+  std::size_t personOf(const storage::AnswerRecord& answer) const {
     return people_.personOf(answer.step.visit.session).value();
   }
 
@@ -183,7 +183,7 @@ class PublicTables {
 
   ExportedAnswer rowOf(const storage::AnswerRecord& answer, const Item& item) const {
     const auto& step = answer.step;
-    const std::size_t person = sessionOf(answer);
+    const std::size_t person = personOf(answer);
     const bool isPlaceKnown = step.position > 0 && !releasedValue(kOrderColumn, person).empty();
     ExportedAnswer row;
     row.owner = {

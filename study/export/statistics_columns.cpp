@@ -31,7 +31,7 @@ auto valueOfNumber(analysis::NamedNumber TestRow::*number) {
 
 /// A getter for a number that only some tests have.
 auto extra(const char* name) {
-  return [name](const Row& row) { return row.test.additional(name); };
+  return [name](const Row& row) { return row.test.additionalNumber(name); };
 }
 
 /// A getter for one end of an interval; missing without an interval.

@@ -109,7 +109,7 @@ std::vector<StatisticsRow> overallRows(
     auto& row = add("mixed", test);
     row.unit = "answer";
     row.group1 = codes.at(test.group1);
-    row.acceptableFrom = test.additional("from");
+    row.acceptableFrom = test.additionalNumber("from");
   }
   for (const auto& checks : cohort.checks.methods) {
     const auto& code = codes.at(checks.method);

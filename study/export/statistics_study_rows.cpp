@@ -113,13 +113,13 @@ RenderedForceResult renderedForceResult(Study& study, RunMode mode) {
 }
 
 std::vector<StatisticsRow> renderedForceRows(
-    const RenderedForceResult& felt, const std::map<std::string, std::string>& codes) {
+    const RenderedForceResult& forces, const std::map<std::string, std::string>& codes) {
   std::vector<StatisticsRow> rows;
-  if (!felt.reason.empty()) {
+  if (!forces.reason.empty()) {
     rows.push_back(studyRow("felt_difference"));
-    rows.back().test.reason = felt.reason;
+    rows.back().test.reason = forces.reason;
   }
-  for (const auto& difference : renderedForceDifferences(felt.curves)) {
+  for (const auto& difference : renderedForceDifferences(forces.curves)) {
     auto& row = rows.emplace_back(studyRow("felt_difference"));
     row.design = "paired";
     row.group1 = codes.at(difference.condition1);

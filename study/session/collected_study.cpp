@@ -46,25 +46,25 @@ struct CollectedStudy::Files {
         identities(made(names.identity(), storage::identitySchema())) {}
 
   void begin() {
-    ofStudy = std::make_unique<Transaction>(study);
-    ofTraces = std::make_unique<Transaction>(traces.database());
-    ofIdentities = std::make_unique<Transaction>(identities.database());
+    studyTransaction = std::make_unique<Transaction>(study);
+    traceTransaction = std::make_unique<Transaction>(traces.database());
+    identityTransaction = std::make_unique<Transaction>(identities.database());
   }
   void commit() {
-    ofIdentities->commit();
-    ofTraces->commit();
-    ofStudy->commit();
-    ofStudy.reset();
-    ofTraces.reset();
-    ofIdentities.reset();
+    identityTransaction->commit();
+    traceTransaction->commit();
+    studyTransaction->commit();
+    studyTransaction.reset();
+    traceTransaction.reset();
+    identityTransaction.reset();
   }
 
   Database study;
   storage::TraceStore traces;
   storage::IdentityStore identities;
-  std::unique_ptr<Transaction> ofStudy;
-  std::unique_ptr<Transaction> ofTraces;
-  std::unique_ptr<Transaction> ofIdentities;
+  std::unique_ptr<Transaction> studyTransaction;
+  std::unique_ptr<Transaction> traceTransaction;
+  std::unique_ptr<Transaction> identityTransaction;
 };
 
 CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Origin& origin)

@@ -28,7 +28,7 @@ constexpr double kClockSlack = 2.0;  // [s]: a larger difference is not drift; t
       StorageError::Kind::Damaged);
 }
 
-void requireSound(Study& study, const SessionRow& row, const std::vector<Step>& plan) {
+void requireValid(Study& study, const SessionRow& row, const std::vector<Step>& plan) {
   std::vector<std::pair<int, std::string>> drawn;
   for (std::size_t i = 0; i < plan.size(); ++i) {
     if (!plan[i].condition.empty()) drawn.emplace_back(static_cast<int>(i), plan[i].condition);
@@ -59,7 +59,7 @@ void requirePossible(const protocols::Protocol& protocol, const Enrolment& enrol
 }
 
 /// Freezes the protocol when the first live participant begins.
-void freezeFor(Study& study, const SessionRow& row, const Moment& now) {
+void freezeProtocolIfFirst(Study& study, const SessionRow& row, const Moment& now) {
   if (row.runMode != RunMode::Live || study.protocols().current().frozenUtc) return;
   study.protocols().freeze(row.protocol, row.startedUtc);
   study.events().append({.when = now, .kind = EventKind::FrozeProtocol, .detail = row.participant});
@@ -84,7 +84,7 @@ std::string codeAt(const Station& station, const std::string& code) {
 
 /// Draws the keys of a new participant. A participant of an older release gets none until the trail
 /// is sealed again, because either all events of a person are sealed or none.
-void prepareFor(Study& study, const SessionRow& row) {
+void prepareParticipant(Study& study, const SessionRow& row) {
   if (storage::ErasureRepository(study.database()).hasErasedAnswersOf(row.participant)) {
     throw UserError(
         "'" + row.participant + "' was erased. Choose another code, or leave it to the program.");
@@ -99,10 +99,10 @@ std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
   row.protocol = study.protocols().current().id;
   row.startedUtc = asUtc(now.wall);
   if (row.participant.empty()) row.participant = sessions.freeCode(row.runMode, row.station);
-  prepareFor(study, row);
+  prepareParticipant(study, row);
   row.slot = sessions.freeSlot(row.protocol, row.runMode, row.cohort, row.station);
   auto plan = drawnPlan(study, row);
-  freezeFor(study, row, now);
+  freezeProtocolIfFirst(study, row, now);
   sessions.add(row, plan, std::string(appVersion()));
   sessions.openVisit({row.id, 0, 1}, row.startedUtc);
   return plan;
@@ -189,7 +189,7 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
     transaction.commit();
   });
   auto plan = drawnPlan(study, row);
-  requireSound(study, row, plan);
+  requireValid(study, row, plan);
   Session session(study, std::move(row), std::move(plan), std::move(*lease));
   if (session.isOver()) return session;
   const auto pause = pauseOf(study, session.row_, holder);

@@ -321,7 +321,7 @@ class ConsistentSnapshot {
   explicit ConsistentSnapshot(Study& study)
       : databases_{&study.database(), &study.traces().database(), &study.identities().database()} {
     for (int tries = 0; tries < kMostTries; ++tries) {
-      if (isTaken(study)) return;
+      if (takeSnapshots(study)) return;
       end();
     }
     throw storage::StorageError(
@@ -337,9 +337,9 @@ class ConsistentSnapshot {
  private:
   static constexpr int kMostTries = 1000;
 
-  /// Takes a snapshot of each file. Every change ends with an event in study.db. If there is no new
-  /// event after the last snapshot, all snapshots are of one moment.
-  bool isTaken(Study& study) {
+  /// Takes a snapshot of each file; returns whether all are of one moment: every change ends with
+  /// an event in study.db, and there is no new one after the last snapshot.
+  bool takeSnapshots(Study& study) {
     try {
       for (auto* database : databases_) database->beginSnapshot();
       auto now = storage::Database::open(

@@ -39,14 +39,14 @@ std::vector<GroupSizes> sizesToTry(
   return all;
 }
 
-void findWholeAnswers(PublishedReport& report) {
+void findConsistentSizes(PublishedReport& report) {
   const auto sizes = sizesToTry(report.table, report.tableOptions);
   std::uint64_t most = 0;
-  for (const auto& ofGroup : sizes) most = std::max(most, ofGroup.back());
+  for (const auto& groupSizes : sizes) most = std::max(most, groupSizes.back());
   try {
     const analysis::AnswerLattice lattice(*report.tableOptions.scale, most);
     for (const auto& convention : analysis::publishedConventions()) {
-      report.wholeAnswers.push_back(
+      report.consistentSizes.push_back(
           analysis::consistentSizes(report.table, sizes, lattice, convention));
     }
   } catch (const std::invalid_argument& error) {
@@ -71,7 +71,7 @@ PublishedReport checkPublishedTable(
         "those are too many sizes to try at once: at most " + std::to_string(kMostSizes));
   }
   PublishedReport report{.table = table, .tableOptions = tableOptions};
-  if (tableOptions.scale) findWholeAnswers(report);
+  if (tableOptions.scale) findConsistentSizes(report);
   for (const auto& convention : analysis::publishedConventions()) {
     if (stated) report.atStated.push_back(analysis::checkConvention(table, *stated, convention));
     if (!tableOptions.fewest) continue;

@@ -31,7 +31,7 @@ struct PublishedReport {
   std::vector<analysis::ConventionCheck> atEqual;
   /// For every convention, the sizes for which a set of whole answers gives the table's values;
   /// empty without a scale.
-  std::vector<analysis::ConsistentSizes> wholeAnswers;
+  std::vector<analysis::ConsistentSizes> consistentSizes;
 };
 
 /// @throws UserError  if sizes are missing or there are too many combinations.

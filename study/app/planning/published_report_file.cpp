@@ -70,7 +70,7 @@ std::string publishedReportAsJson(const PublishedReport& report) {
     json["at_equal_n"].push_back(asJson(report.table, check));
   }
   json["whole_answers"] = Json::array();
-  for (const auto& fits : report.wholeAnswers) json["whole_answers"].push_back(asJson(fits));
+  for (const auto& fits : report.consistentSizes) json["whole_answers"].push_back(asJson(fits));
   return json.dump(2) + "\n";
 }
 

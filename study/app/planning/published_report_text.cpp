@@ -134,7 +134,7 @@ std::string formatAnswers(
 
 /// A data set that gives the values of the row, or a sentence that there is none.
 std::string describeExample(const PublishedReport& report) {
-  const auto& all = report.wholeAnswers;
+  const auto& all = report.consistentSizes;
   const auto found =
       std::ranges::find_if(all, [](const auto& fits) { return !fits.example.empty(); });
   if (found == all.end()) {
@@ -162,14 +162,14 @@ std::string wholeAnswersPart(const PublishedReport& report) {
       scale.lowest,
       scale.highest,
       scale.parts == 1 ? "" : fmt::format(" in steps of 1/{}", scale.parts));
-  const auto& usual = report.wholeAnswers.front();
+  const auto& usual = report.consistentSizes.front();
   for (std::size_t g = 0; g < report.table.groups.size(); ++g) {
     text += fmt::format(
         "  mean and variance of {} alone: {}\n",
         report.table.groups[g].name,
         usual.possible[g].empty() ? "no size" : "n = " + inRanges(usual.possible[g]));
   }
-  for (const auto& fits : report.wholeAnswers) {
+  for (const auto& fits : report.consistentSizes) {
     text += fmt::format(
         "  {:<60} {}\n", analysis::describe(fits.convention), describeFits(report.table, fits));
   }
@@ -183,7 +183,7 @@ std::string publishedReportAsText(const PublishedReport& report) {
       "Do the printed p values follow from the printed means, variances and sizes?\n\n";
   if (!report.atStated.empty()) text += statedPart(report);
   if (!report.atEqual.empty()) text += equalPart(report);
-  if (!report.wholeAnswers.empty()) {
+  if (!report.consistentSizes.empty()) {
     text += wholeAnswersPart(report);
   } else {
     text +=

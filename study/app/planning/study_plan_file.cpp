@@ -153,7 +153,7 @@ std::string studyPlanAsJson(const StudyPlan& plan) {
          {"to_win", orNull(vote.votesForSignificance)}});
   }
   json["session"] = asJson(plan.length);
-  json["max_force_n"] = plan.mostForce;
+  json["max_force_n"] = plan.largestForce;
   json["ethics"] = ethicsParagraph(plan);
   return json.dump(2) + "\n";
 }

@@ -76,8 +76,7 @@ ssize_t writeVisibly(void* cookie, const char* text, std::size_t count) {
   return isWritten ? static_cast<ssize_t>(count) : 0;
 }
 
-/// A stream that escapes text and writes it to @p output; returns @p otherwise if it cannot be
-/// created.
+/// A stream that escapes text and writes it to @p output; @p otherwise if it cannot be created.
 FILE* openEscapingStream(Output& output, FILE* otherwise, int buffering) {
   FILE* stream = fopencookie(&output, "w", {nullptr, writeVisibly, nullptr, nullptr});
   if (stream == nullptr) return otherwise;

@@ -28,9 +28,9 @@ double WorkWatch::processorSeconds() const {
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &own);
   // The first number is the time on a processor [ns] (proc(5), schedstat).
   std::ifstream file("/proc/" + std::to_string(process_) + "/schedstat");
-  std::int64_t ofServer = 0;
-  file >> ofServer;
-  return static_cast<double>(own.tv_sec) + 1e-9 * static_cast<double>(own.tv_nsec + ofServer);
+  std::int64_t serverTime = 0;
+  file >> serverTime;
+  return static_cast<double>(own.tv_sec) + 1e-9 * static_cast<double>(own.tv_nsec + serverTime);
 }
 
 }  // namespace study::bench

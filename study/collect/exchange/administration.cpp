@@ -105,10 +105,10 @@ std::optional<std::string> problemIn(
   if (!trail.problems().empty()) return trail.problems().front();
   std::optional<std::string> found;
   reader.forEachSession(*station, [&](const SessionOnServer& session) {
-    if (found || session.asOf < bundle.first) return;
+    if (found || session.lastEvent < bundle.first) return;
     const auto problems = trail.problemsOf(
         session.number,
-        session.asOf,
+        session.lastEvent,
         sessionTablesIn(session.facts),
         reader.chunks(*station, session.number));
     if (problems.empty()) return;

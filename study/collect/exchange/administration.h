@@ -59,7 +59,7 @@ struct IngestedBundle {
 
 /// Stores the content of a bundle, the file of a station without a network. Can be repeated.
 /// @throws UserError  if the bundle is damaged or was not signed by a station of this server (the
-///     server keeps an incident), or if an earlier bundle is missing. @throws ServerError
+///     server records an incident), or if an earlier bundle is missing. @throws ServerError
 IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& file);
 
 }  // namespace study::collect

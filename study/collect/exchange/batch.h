@@ -24,10 +24,10 @@ std::string asText(const storage::SessionTables& facts);
 /// Parses asText(). @throws storage::StorageError  (Damaged) for other text.
 storage::SessionTables sessionTablesIn(const std::string& text);
 
-/// A session in its state after its event `asOf`.
+/// A session in its state after its event `lastEvent`.
 struct SentSession {
   std::int64_t number = 0;
-  std::int64_t asOf = 0;
+  std::int64_t lastEvent = 0;
   std::string facts;  ///< asText()
 };
 

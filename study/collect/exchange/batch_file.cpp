@@ -174,7 +174,7 @@ std::string asText(const Batch& batch) {
   for (const auto& session : batch.sessions) {
     sessions.push_back(
         {{"session", session.number},
-         {"as_of", session.asOf},
+         {"as_of", session.lastEvent},
          {"sha256", storage::sha256(session.facts)},
          {"facts", session.facts}});
   }

@@ -41,7 +41,7 @@ std::string keyFingerprintOf(const storage::BlindingSecret& secret);
 
 /// The enrolment file: sealed for the station, and signed with the study's key.
 /// @param publicKey  of the station ('palpate collect key'). @param secret  of the study
-/// @throws UserError  if it is no key
+/// @throws UserError  if @p publicKey is no key
 std::string asText(
     const StationEnrolment& enrolment,
     const std::string& publicKey,

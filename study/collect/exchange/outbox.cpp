@@ -61,7 +61,7 @@ void Outbox::addSessions(Batch& batch) {
     if (!isHere) continue;
     batch.sessions.push_back(
         {.number = static_cast<std::int64_t>(mark.session),
-         .asOf = mark.lastEvent,
+         .lastEvent = mark.lastEvent,
          .facts = asText(storage::sessionTablesOf(study_.database(), mark.session))});
     const auto key = study_.events().keyOf(mark.session);
     if (key) batch.keys.push_back({.participant = mark.participant, .key = *key});

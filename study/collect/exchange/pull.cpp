@@ -77,9 +77,9 @@ class StationPull {
   void take(const SessionOnServer& session) {
     seen_.insert(session.number);
     const auto last = trail_.lastEvents().find(session.number);
-    if (last == trail_.lastEvents().end() || session.asOf > last->second) {
+    if (last == trail_.lastEvents().end() || session.lastEvent > last->second) {
       leaveOut(session.number, "it is not signed");
-    } else if (session.asOf < last->second) {
+    } else if (session.lastEvent < last->second) {
       pulled_.incomplete.push_back(nameOf(session.number));
     } else {
       takeSigned(session);
@@ -96,7 +96,7 @@ class StationPull {
       }
       facts = sessionTablesIn(session.facts);
       if (session.hasSamples) chunks = reader_.chunks(station_, session.number);
-      for (auto& problem : trail_.problemsOf(session.number, session.asOf, facts, chunks)) {
+      for (auto& problem : trail_.problemsOf(session.number, session.lastEvent, facts, chunks)) {
         problems.push_back(std::move(problem));
       }
       for (auto& chunk : chunks) {

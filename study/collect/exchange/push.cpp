@@ -14,7 +14,7 @@ namespace {
 }
 
 /// Requires that the server's last event is in this folder. Otherwise another copy of the folder
-/// was continued, and the server keeps an incident.
+/// was continued, and the server records an incident.
 void requireSame(Outbox& outbox, Connection& server, const Answer& answer) {
   if (!answer.refused.empty()) refuseIn(answer);
   if (answer.lastEvent == 0) return;

@@ -140,7 +140,7 @@ void ServerReader::forEachSession(
       after = rows.number(i, 0);
       take(
           {.number = after,
-           .asOf = rows.number(i, 1),
+           .lastEvent = rows.number(i, 1),
            .sha256 = storage::inHexadecimal(rows.bytes(i, 2)),
            .facts = rows.text(i, 3),
            .hasSamples = rows.text(i, 4) == "t"});

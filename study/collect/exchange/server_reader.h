@@ -26,7 +26,7 @@ struct StationRow {
 /// A session in the server's tables. It is not verified yet.
 struct SessionOnServer {
   std::int64_t number = 0;
-  std::int64_t asOf = 0;
+  std::int64_t lastEvent = 0;
   std::string sha256;
   std::string facts;
   bool hasSamples = false;

@@ -163,7 +163,7 @@ std::vector<storage::StoredEvent> StationTrail::takeEvents() {
 
 std::vector<std::string> StationTrail::problemsOf(
     std::int64_t session,
-    std::int64_t asOf,
+    std::int64_t lastEvent,
     const storage::SessionTables& facts,
     const std::vector<storage::TraceChunk>& chunks) {
   std::vector<std::string> problems;
@@ -173,27 +173,27 @@ std::vector<std::string> StationTrail::problemsOf(
       storage::textIn(facts, "participant", "code").starts_with(station_.label + "_");
   if (!isHere) problems.emplace_back("its rows are of another site, station or code");
   Trials recorded;
-  std::optional<std::string> ofTraces;
+  std::optional<std::string> traceProblem;
   if (!chunks.empty() || !storage::rowsIn(facts, "trial").empty()) {
     const storage::Transaction rolledBack(*database_);
     storage::addSessionTablesAs(*database_, facts, SessionId{session}, nullptr, {});
     recorded = trialsOf(session);
-    ofTraces = firstProblemOfTraces(session, chunks, recorded);
+    traceProblem = firstProblemOfTraces(session, chunks, recorded);
   }
   // At the station, data that reveal the conditions are sealed, unless the session was simulated or
   // the protocol has no blinding. Tries both ways.
-  std::vector<const storage::SealingKey*> ways{nullptr};
+  std::vector<const storage::SealingKey*> keysToTry{nullptr};
   if (storage::textIn(facts, "session", "run_mode") != study::nameOf(RunMode::Simulated)) {
-    ways.insert(ways.begin(), &key_);
+    keysToTry.insert(keysToTry.begin(), &key_);
   }
-  const auto& last = events_.at(static_cast<std::size_t>(asOf - 1));
-  const bool isSame = std::any_of(ways.begin(), ways.end(), [&](const auto* key) {
+  const auto& last = events_.at(static_cast<std::size_t>(lastEvent - 1));
+  const bool isSame = std::any_of(keysToTry.begin(), keysToTry.end(), [&](const auto* key) {
     const storage::Transaction rolledBack(*database_);
     storage::addSessionTablesAs(*database_, facts, SessionId{session}, key, recorded.open);
     return agrees(session, last);
   });
   if (!isSame) problems.emplace_back("its rows do not agree with the audit trail");
-  if (ofTraces) problems.push_back(*ofTraces);
+  if (traceProblem) problems.push_back(*traceProblem);
   return problems;
 }
 

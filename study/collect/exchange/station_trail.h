@@ -48,10 +48,10 @@ class StationTrail {
   const std::map<std::int64_t, std::int64_t>& lastEvents() const noexcept { return lastEvents_; }
 
   /// The differences of a session's rows and samples from their hashes in the trail at event @p
-  /// asOf. Empty: none.
+  /// lastEvent. Empty: none.
   std::vector<std::string> problemsOf(
       std::int64_t session,
-      std::int64_t asOf,
+      std::int64_t lastEvent,
       const storage::SessionTables& facts,
       const std::vector<storage::TraceChunk>& chunks);
 

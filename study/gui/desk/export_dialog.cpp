@@ -78,13 +78,13 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
       format_(new QComboBox(this)),
       mode_(makeRunModeBox(study, this)),
       audience_(new QComboBox(this)),
-      smallest_(new QSpinBox(this)),
+      smallestGroup_(new QSpinBox(this)),
       reason_(new QLineEdit(this)),
-      exact_(new QCheckBox(tr("Exact dates, times and ages (otherwise in bands)"), this)),
-      texts_(new QCheckBox(tr("Texts that participants and operators wrote"), this)),
+      exactDates_(new QCheckBox(tr("Exact dates, times and ages (otherwise in bands)"), this)),
+      writtenTexts_(new QCheckBox(tr("Texts that participants and operators wrote"), this)),
       traces_(new QCheckBox(tr("Recordings: what was felt, sample by sample"), this)),
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)),
-      earlier_(new PathField(
+      earlierExport_(new PathField(
           PathField::Kind::ExistingFolder, tr("Folder of an earlier export"), {}, this)) {
   const auto add = [](QComboBox* box, const QString& words, auto value) {
     box->addItem(words, static_cast<int>(value));
@@ -101,31 +101,31 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   format_->setAccessibleName(tr("Format"));
   audience_->setAccessibleName(tr("For whom"));
   audience_->setObjectName(QStringLiteral("audience"));
-  smallest_->setAccessibleName(tr("Smallest group of people"));
-  smallest_->setObjectName(QStringLiteral("smallest-class"));
-  smallest_->setRange(static_cast<int>(kSmallestPublicClass), kMostAlike);
-  exact_->setObjectName(QStringLiteral("exact"));
-  texts_->setObjectName(QStringLiteral("texts"));
+  smallestGroup_->setAccessibleName(tr("Smallest group of people"));
+  smallestGroup_->setObjectName(QStringLiteral("smallest-class"));
+  smallestGroup_->setRange(static_cast<int>(kSmallestPublicClass), kMostAlike);
+  exactDates_->setObjectName(QStringLiteral("exact"));
+  writtenTexts_->setObjectName(QStringLiteral("texts"));
   reason_->setAccessibleName(tr("Reason for unblinding"));
   reason_->setObjectName(QStringLiteral("reason"));
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("data")));
-  earlier_->startIn(folderBeside(folder_));
+  earlierExport_->startIn(folderBeside(folder_));
   form().addRow(tr("For whom"), audience_);
-  form().addRow(tr("Smallest group of people"), smallest_);
+  form().addRow(tr("Smallest group of people"), smallestGroup_);
   form().addRow(tr("Reason for unblinding"), reason_);
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("Format"), format_);
-  form().addRow(tr("Also export"), exact_);
-  form().addRow(QString(), texts_);
+  form().addRow(tr("Also export"), exactDates_);
+  form().addRow(QString(), writtenTexts_);
   form().addRow(QString(), traces_);
   form().addRow(tr("To a new folder"), target_);
-  form().addRow(tr("Earlier export"), earlier_);
+  form().addRow(tr("Earlier export"), earlierExport_);
   aboutEarlier_ = addHint(tr("Optional: conditions get the same codes as there."));
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
-  connect(smallest_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
-  connect(exact_, &QCheckBox::toggled, this, &ExportDialog::updateChoices);
-  connect(texts_, &QCheckBox::toggled, this, &ExportDialog::updateChoices);
+  connect(smallestGroup_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
+  connect(exactDates_, &QCheckBox::toggled, this, &ExportDialog::updateChoices);
+  connect(writtenTexts_, &QCheckBox::toggled, this, &ExportDialog::updateChoices);
   connect(reason_, &QLineEdit::textChanged, this, &ExportDialog::updateButton);
   connect(target_, &PathField::pathChanged, this, &ExportDialog::updateButton);
   updateChoices();
@@ -138,23 +138,23 @@ ExportOptions ExportDialog::options() const {
       .runMode = chosenMode(*mode_),
       .isBlinded = audience != Audience::Unblinded,
       .hasTraces = audience == Audience::Unblinded && traces_->isChecked(),
-      .isExact = audience != Audience::Public && exact_->isChecked(),
-      .hasTexts = audience != Audience::Public && texts_->isChecked()};
+      .isExact = audience != Audience::Public && exactDates_->isChecked(),
+      .hasTexts = audience != Audience::Public && writtenTexts_->isChecked()};
   if (audience == Audience::Public) {
-    options.publicClass = static_cast<std::size_t>(smallest_->value());
+    options.publicClass = static_cast<std::size_t>(smallestGroup_->value());
   }
   return options;
 }
 
 void ExportDialog::updateChoices() {
   const auto audience = audienceOf(*audience_);
-  form().setRowVisible(smallest_, audience == Audience::Public);
+  form().setRowVisible(smallestGroup_, audience == Audience::Public);
   form().setRowVisible(reason_, audience == Audience::Unblinded);
-  form().setRowVisible(exact_, audience != Audience::Public);
-  form().setRowVisible(texts_, audience != Audience::Public);
+  form().setRowVisible(exactDates_, audience != Audience::Public);
+  form().setRowVisible(writtenTexts_, audience != Audience::Public);
   form().setRowVisible(traces_, audience == Audience::Unblinded);
   const bool hasCodes = audience != Audience::Public && chosenMode(*mode_) != RunMode::Simulated;
-  form().setRowVisible(earlier_, hasCodes);
+  form().setRowVisible(earlierExport_, hasCodes);
   form().setRowVisible(aboutEarlier_, hasCodes);
   clear();
   showIdentifiability();
@@ -198,7 +198,7 @@ void ExportDialog::work() {
   WrittenExport written;
   std::string what;
   const std::string earlier =
-      form().isRowVisible(earlier_) ? earlier_->path().toStdString() : std::string();
+      form().isRowVisible(earlierExport_) ? earlierExport_->path().toStdString() : std::string();
   const auto write = [&](const Progress& progress) {
     if (!earlier.empty()) how.codes = codeSetOf(earlier);
     auto study = openForExport(folder_, how);

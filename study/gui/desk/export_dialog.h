@@ -37,13 +37,13 @@ class ExportDialog final : public WorkDialog {
   QComboBox* format_;
   QComboBox* mode_;
   QComboBox* audience_;
-  QSpinBox* smallest_;
+  QSpinBox* smallestGroup_;
   QLineEdit* reason_;
-  QCheckBox* exact_;
-  QCheckBox* texts_;
+  QCheckBox* exactDates_;
+  QCheckBox* writtenTexts_;
   QCheckBox* traces_;
   PathField* target_;
-  PathField* earlier_;  ///< an earlier export whose codes the new one reuses
+  PathField* earlierExport_;  ///< an earlier export whose codes the new one reuses
   QLabel* aboutEarlier_ = nullptr;
 };
 

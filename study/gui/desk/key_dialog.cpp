@@ -94,11 +94,11 @@ void KeyDialog::updateChoices() {
 void KeyDialog::work() {
   if (chosenTask() == KeyTask::Save) return saveKey();
   if (chosenTask() == KeyTask::SealNames) return sealNames();
-  const bool isTaken = attempt(this, MessageTopic::KeyNotTaken, [&] {
+  const bool isAccepted = attempt(this, MessageTopic::KeyNotTaken, [&] {
     auto study = Study::open(folder_);
     importKey(study, source_->path().toStdString());
   });
-  if (!isTaken) return clear();
+  if (!isAccepted) return clear();
   showState();
   showOutcome(Outcome::Good, tr("This account has the key now."));
 }

@@ -216,7 +216,7 @@ int WorkDialog::wantedHeight() {
 }
 
 void WorkDialog::fit() {
-  const bool isOwn = !isVisible() || height() == fitted_;
+  const bool isOwn = !isVisible() || height() == fittedHeight_;
   const int wanted = wantedHeight();
   fitTo(isOwn ? wanted : std::max(wanted, height()));
 }
@@ -227,7 +227,7 @@ void WorkDialog::enlarge() {
 }
 
 void WorkDialog::fitTo(int height) {
-  fitted_ = height;
+  fittedHeight_ = height;
   // A scroll bar narrows the labels; they then wrap into more lines and keep the bar necessary.
   scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   resize(width(), height);

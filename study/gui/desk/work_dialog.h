@@ -92,7 +92,7 @@ class WorkDialog : public QDialog {
   ResultView* result_ = nullptr;  ///< nullptr: the dialog has no tables
   QLabel* disabledReason_;
   QPushButton* runButton_;
-  int fitted_ = 0;  ///< the height that fit() gave the dialog [px]
+  int fittedHeight_ = 0;  ///< the height that fit() gave the dialog [px]
 };
 
 }  // namespace study::gui

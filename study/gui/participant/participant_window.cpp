@@ -361,7 +361,7 @@ static bool isNumberedAnew(const Session& session) {
 
 /// Whether the step is a preference whose labels number the alternatives in the order of the latest
 /// block.
-static bool isNumberedAsFelt(const Session& session) {
+static bool isNumberedInFeltOrder(const Session& session) {
   const auto& step = session.step();
   if (step.kind != StepKind::Preference || !isLabelledByPosition(session)) return false;
   const auto trials = trialsBefore(session);
@@ -418,7 +418,7 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
     content.title = alternativeName(QString::number(session.step().label));
   }
   QStringList hints;
-  if (isNumberedAsFelt(session))
+  if (isNumberedInFeltOrder(session))
     hints << tr("The numbers are in the order in which you felt them.");
   if (session.step().kind == StepKind::Preference) {
     hints << tr("If you are unsure, follow your first impression.");

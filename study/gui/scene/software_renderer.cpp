@@ -404,8 +404,8 @@ void SoftwareRenderer::darkenRim(const Frame& frame, QRgb ground) {
   for (int i = 0; i <= kSteps; ++i) {
     const auto at = vignette(std::sqrt(static_cast<float>(i) / kSteps));
     shares[static_cast<std::size_t>(i)] = {
-        static_cast<int>(256.0F * at.brightness * at.inside),
-        static_cast<int>(256.0F * (1.0F - at.inside))};
+        static_cast<int>(256.0F * at.brightness * at.visibleShare),
+        static_cast<int>(256.0F * (1.0F - at.visibleShare))};
   }
   const QRect place = frame.place.intersected(picture_.rect());
   const float half = 0.5F * static_cast<float>(frame.place.width());

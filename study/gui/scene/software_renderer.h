@@ -28,8 +28,8 @@ float lightAfterShadow(const ContactShadow& shadow, QVector3D place);
 
 /// What is left at @p radius from the middle of a round view, whose rim is at 1.
 struct Vignette {
-  float brightness = 1.0F;  ///< share of the brightness, which falls towards the rim
-  float inside = 1.0F;      ///< share of the view; the rest is background
+  float brightness = 1.0F;    ///< share of the brightness, which falls towards the rim
+  float visibleShare = 1.0F;  ///< share of the view; the rest is background
 };
 Vignette vignette(float radius);
 

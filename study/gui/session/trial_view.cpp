@@ -72,8 +72,9 @@ QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
   controller.setViewReportSource({});
   controller.setBoneSource({});
   const auto spec = sceneFor(controller.session());
-  const bool isSeen = spec.isVisualised && deviceFor(controller.session()).kind->view != View::None;
-  if (!isSeen) return nullptr;
+  const bool isVisualised =
+      spec.isVisualised && deviceFor(controller.session()).kind->view != View::None;
+  if (!isVisualised) return nullptr;
   auto* place = new QWidget(parent);
   place->setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it handles the mouse
   place->setProperty("role", QStringLiteral("scene"));
@@ -102,9 +103,9 @@ QString viewInWords(const SessionController& controller) {
 }
 
 bool isAnyTrialVisualised(const protocols::Protocol& protocol) {
-  const auto isSeen = [](const auto& condition) { return condition.isVisualised; };
+  const auto isVisualised = [](const auto& condition) { return condition.isVisualised; };
   const auto& conditions = protocol.conditions;
-  return std::any_of(conditions.begin(), conditions.end(), isSeen) ||
+  return std::any_of(conditions.begin(), conditions.end(), isVisualised) ||
          std::any_of(protocol.phases.begin(), protocol.phases.end(), [](const auto& phase) {
            return phase.trials.isVisualised.value_or(false);
          });

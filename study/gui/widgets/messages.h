@@ -43,7 +43,7 @@ enum class MessageTopic {
   FileSaved,
   LiveSessionHasBlanks,
   TrialIsRunning,
-  // What is asked.
+  // Questions that are answered with a button.
   BoneBesideParticipant,
   CloseWithLoss,
   PilotSessionHasBlanks,

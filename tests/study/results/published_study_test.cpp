@@ -258,7 +258,7 @@ TEST_F(PublishedStudyTest, HasTheWithinPeopleComparisonsOfR) {
           1e-12);
       EXPECT_NEAR(row.test("paired_t").p.value(), numberIn(truth["p_t"]), 1e-14);
       EXPECT_NEAR(
-          std::abs(row.test("paired_t").additional("d_z").value()),
+          std::abs(row.test("paired_t").additionalNumber("d_z").value()),
           std::abs(numberIn(truth["dz"])),
           1e-12);
       EXPECT_NEAR(row.test("sign_flip").p.value(), numberIn(truth["p_signflip_exact"]), 1e-14);
