@@ -1,7 +1,6 @@
 #include "analysis/data/likert_counts.h"
 
 #include <algorithm>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -82,21 +81,6 @@ void LikertCounts::add(int point, std::uint64_t times) {
   if (times > kMostAnswers - total_) throw std::invalid_argument("too many answers");
   counts_[static_cast<std::size_t>(point - lowest_)] += times;
   total_ += times;
-}
-
-void LikertCounts::merge(const LikertCounts& other) {
-  if (other.lowest() != lowest() || other.highest() != highest()) {
-    throw std::invalid_argument("answers on different scales cannot be pooled");
-  }
-  if (other.total_ > kMostAnswers - total_) throw std::invalid_argument("too many answers");
-  std::ranges::transform(counts_, other.counts_, counts_.begin(), std::plus<>{});
-  total_ += other.total_;
-}
-
-LikertCounts LikertCounts::reversed() const {
-  LikertCounts result = *this;
-  std::ranges::reverse(result.counts_);
-  return result;
 }
 
 std::optional<double> LikertCounts::mean() const {

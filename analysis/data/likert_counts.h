@@ -33,13 +33,6 @@ class LikertCounts {
   ///     answers.
   void add(int point, std::uint64_t times = 1);
 
-  /// Adds the answers of another group on the same scale.
-  /// @throws std::invalid_argument  if the scales differ, or for more than kMostAnswers answers.
-  void merge(const LikertCounts& other);
-
-  /// A copy with every answer x replaced by lowest + highest − x, for negatively worded statements.
-  LikertCounts reversed() const;
-
   int lowest() const noexcept { return lowest_; }
   int highest() const noexcept { return lowest_ + static_cast<int>(counts_.size()) - 1; }
   /// The number of answers at each point, from the lowest point to the highest.

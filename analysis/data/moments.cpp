@@ -85,10 +85,6 @@ Summary summarise(std::span<const double> values) {
   return summarise(momentsOf(values));
 }
 
-Summary summarise(const LikertCounts& counts) {
-  return summarise(momentsOf(counts));
-}
-
 Summary summarise(const Moments& moments) {
   Summary summary{.n = moments.n, .mean = {}, .variance = {}, .standardDeviation = {}};
   if (moments.n > 0) summary.mean = std::ldexp(moments.mean.high, moments.exponent);

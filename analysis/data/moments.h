@@ -47,7 +47,6 @@ struct Summary {
 
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 Summary summarise(std::span<const double> values);
-Summary summarise(const LikertCounts& counts);
 Summary summarise(const Moments& moments);
 
 /// The difference of the means of two groups, and the variance of each group, in common units; for

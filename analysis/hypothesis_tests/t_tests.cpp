@@ -82,10 +82,6 @@ WelchResult welchTTest(std::span<const double> group1, std::span<const double> g
   return welchTTest(momentsOf(group1), momentsOf(group2));
 }
 
-WelchResult welchTTest(const LikertCounts& group1, const LikertCounts& group2) {
-  return welchTTest(momentsOf(group1), momentsOf(group2));
-}
-
 WelchResult welchTTest(const Moments& group1, const Moments& group2) {
   const Summary summary1 = summarise(group1);
   const Summary summary2 = summarise(group2);

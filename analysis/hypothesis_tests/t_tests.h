@@ -48,7 +48,6 @@ struct WelchResult {
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 WelchResult welchTTest(std::span<const double> group1, std::span<const double> group2);
-WelchResult welchTTest(const LikertCounts& group1, const LikertCounts& group2);
 WelchResult welchTTest(const Moments& group1, const Moments& group2);
 
 /// The confidence interval of the difference of the means at @p level, for instance 0.95;

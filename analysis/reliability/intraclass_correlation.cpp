@@ -171,14 +171,4 @@ IntraclassCorrelations intraclassCorrelations(
   return all;
 }
 
-double designEffect(double intraclassCorrelation, double clusterSize) {
-  if (!(intraclassCorrelation >= -1.0 && intraclassCorrelation <= 1.0)) {
-    throw std::invalid_argument("an intraclass correlation lies between -1 and 1");
-  }
-  if (!(clusterSize >= 1.0) || !std::isfinite(clusterSize)) {
-    throw std::invalid_argument("a cluster has one value at least");
-  }
-  return 1.0 + (clusterSize - 1.0) * intraclassCorrelation;
-}
-
 }  // namespace analysis

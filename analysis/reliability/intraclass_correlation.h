@@ -45,20 +45,12 @@ struct IntraclassCorrelations {
 ///     ICC(3,1) = (B − E) / (B + (k − 1) E)                       ICC(3,k) = (B − E) / B
 ///
 /// The intervals are also those of Shrout & Fleiss. With participants as subjects and their
-/// repeated answers as raters, ICC(1,1) is the correlation of answers of one person: see
-/// designEffect().
+/// repeated answers as raters, ICC(1,1) is the correlation of answers of one person.
 ///
 /// @param table  one subject a row, one rater a column.
 /// @throws std::invalid_argument  if a row has fewer or more values than the first, a value is
 ///     infinite or NaN, or for a level that is not between 0 and 1.
 IntraclassCorrelations intraclassCorrelations(
     std::span<const std::vector<double>> table, double level = 0.95);
-
-/// The design effect 1 + (m − 1) ICC (Kish 1965): the factor by which the variance of a mean grows
-/// if its values come in clusters of m correlated values. N such values are worth N / design effect
-/// independent ones.
-///
-/// @throws std::invalid_argument  for an ICC outside −1 … 1 or a cluster size below one.
-double designEffect(double intraclassCorrelation, double clusterSize);
 
 }  // namespace analysis

@@ -36,11 +36,9 @@ std::map<std::string, LikertCounts> pooledAnswers() {
 
   std::map<std::string, LikertCounts> cells;
   for (const auto& row : table.rows) {
-    LikertCounts one(1, 5);
-    one.add(static_cast<int>(base::decimalNumber(cell(row, "answer")).value()));
-    if (cell(row, "key") == "-1") one = one.reversed();
+    const auto answer = static_cast<int>(base::decimalNumber(cell(row, "answer")).value());
     const std::string name = letters.at(cell(row, "cohort")) + letters.at(cell(row, "method"));
-    cells.try_emplace(name, 1, 5).first->second.merge(one);
+    cells.try_emplace(name, 1, 5).first->second.add(cell(row, "key") == "-1" ? 6 - answer : answer);
   }
   return cells;
 }

@@ -124,12 +124,12 @@ TEST(PublishedCheck, ShowsAnswersThatPrintTheWholeRow) {
     EXPECT_EQ(std::accumulate(example[g].begin(), example[g].end(), std::uint64_t{0}), sizes[g]);
     counts.emplace_back(1, example[g]);
   }
-  const auto interpolationAndFilter = welchTTest(counts[0], counts[2]);
+  const auto interpolationAndFilter = welchTTest(momentsOf(counts[0]), momentsOf(counts[2]));
   EXPECT_EQ(printedWith(*interpolationAndFilter.p, 3), "0.021");
-  EXPECT_EQ(printedWith(*welchTTest(counts[2], counts[1]).p, 3), "0.115");
-  EXPECT_LT(*welchTTest(counts[0], counts[1]).p, 0.017);
+  EXPECT_EQ(printedWith(*welchTTest(momentsOf(counts[2]), momentsOf(counts[1])).p, 3), "0.115");
+  EXPECT_LT(*welchTTest(momentsOf(counts[0]), momentsOf(counts[1])).p, 0.017);
   for (std::size_t g = 0; g < 3; ++g) {
-    const auto any = welchTTest(counts[g], counts[(g + 1) % 3]);
+    const auto any = welchTTest(momentsOf(counts[g]), momentsOf(counts[(g + 1) % 3]));
     EXPECT_EQ(printedWith(*any.mean1, 1), means[g]);
     EXPECT_EQ(printedWith(*any.variance1, 1), variances[g]);
   }
@@ -148,7 +148,8 @@ TEST(PublishedCheck, HalfPointsFitWhereEachParticipantLacksOneAnswer) {
 TEST(PublishedCheck, RealAnswersFitByTheConventionTheyWerePrintedWith) {
   const std::vector<std::uint64_t> counts1{0, 1, 1, 4, 6};
   const std::vector<std::uint64_t> counts2{3, 2, 4, 2, 1};
-  const auto a = welchTTest(LikertCounts(1, counts1), LikertCounts(1, counts2));
+  const auto a =
+      welchTTest(momentsOf(LikertCounts(1, counts1)), momentsOf(LikertCounts(1, counts2)));
   ASSERT_TRUE(a.p && a.variance1 && a.variance2);
   const auto printed = [](double x, int decimals) {
     std::array<char, 32> text{};

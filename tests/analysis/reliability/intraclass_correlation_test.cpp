@@ -9,7 +9,6 @@
 
 namespace intraclass_correlation_test {
 
-using analysis::designEffect;
 using analysis::IntraclassCorrelation;
 using analysis::intraclassCorrelations;
 using Table = std::vector<std::vector<double>>;
@@ -105,15 +104,6 @@ TEST(IntraclassCorrelations, GiveAReasonIfTheyAreUndefined) {
   EXPECT_FALSE(intraclassCorrelations(Table{{1}, {2}}).reason.empty());
   EXPECT_THROW(intraclassCorrelations(Table{{1, 2}, {1}}), std::invalid_argument);
   EXPECT_THROW(intraclassCorrelations(kTargets, 0.0), std::invalid_argument);
-}
-
-TEST(DesignEffect, GrowsWithTheCluster) {
-  EXPECT_DOUBLE_EQ(designEffect(0.25, 9.0), 3.0);
-  EXPECT_EQ(designEffect(0.0, 6.0), 1.0);
-  EXPECT_EQ(designEffect(1.0, 6.0), 6.0);
-  EXPECT_EQ(designEffect(0.7, 1.0), 1.0);
-  EXPECT_THROW(designEffect(1.5, 6.0), std::invalid_argument);
-  EXPECT_THROW(designEffect(0.5, 0.0), std::invalid_argument);
 }
 
 }  // namespace intraclass_correlation_test
