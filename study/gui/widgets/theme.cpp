@@ -233,14 +233,6 @@ QString withLengths(const QString& sheet, double scale) {
   return result + sheet.mid(done);
 }
 
-double luminance(const QColor& colour) noexcept {
-  const auto linear = [](double share) {
-    return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
-         0.0722 * linear(colour.blueF());
-}
-
 }  // namespace
 
 /// A property of @p widget or of its nearest ancestor that has it: the window may be embedded in
@@ -336,12 +328,6 @@ QString styleSheetOf(const Theme& theme, double scale) {
             .arg(QLatin1String(name), isDark ? QLatin1String("chalk") : QLatin1String("ink")));
   }
   return scale == 1.0 ? sheet : withLengths(sheet, scale);
-}
-
-double contrast(const QColor& one, const QColor& other) noexcept {
-  const double a = luminance(one);
-  const double b = luminance(other);
-  return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
 }
 
 QString nameOf(ThemeName name) {

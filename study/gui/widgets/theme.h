@@ -70,9 +70,6 @@ int scaled(const QWidget& widget, int length) noexcept;
 /// The style sheet of a theme.
 QString styleSheetOf(const Theme& theme, double scale = 1.0);
 
-/// The contrast ratio of two colours, 1 to 21 (WCAG 2.1).
-double contrast(const QColor& one, const QColor& other) noexcept;
-
 /// The name under which a theme is stored: "light", "dark", "high-contrast".
 QString nameOf(ThemeName name);
 std::optional<ThemeName> themeNameIn(const QString& name);

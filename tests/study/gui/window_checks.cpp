@@ -32,6 +32,7 @@
 #include "study/gui/participant/trial_page.h"
 #include "study/gui/widgets/mnemonics.h"
 #include "study/gui/widgets/theme.h"
+#include "tests/study/gui/contrast.h"
 
 namespace tests {
 namespace {

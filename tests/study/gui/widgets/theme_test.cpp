@@ -18,6 +18,7 @@
 #include <QRegularExpression>
 
 #include "study/gui/widgets/studio_settings.h"
+#include "tests/study/gui/contrast.h"
 #include "tests/support/colour_vision.h"
 
 namespace study::gui {
