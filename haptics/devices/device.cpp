@@ -2,24 +2,6 @@
 
 namespace haptics::devices {
 
-const char* nameOf(Lifecycle state) noexcept {
-  switch (state) {
-    case Lifecycle::Closed:
-      return "closed";
-    case Lifecycle::Open:
-      return "open";
-    case Lifecycle::Checked:
-      return "checked";
-    case Lifecycle::Armed:
-      return "armed";
-    case Lifecycle::Running:
-      return "running";
-    case Lifecycle::Faulted:
-      return "faulted";
-  }
-  return "";
-}
-
 const char* nameOf(Finding finding) noexcept {
   switch (finding) {
     case Finding::Pass:

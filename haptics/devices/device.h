@@ -116,8 +116,6 @@ enum class Lifecycle : std::uint8_t {
   Faulted,  ///< renders no force until it is opened again
 };
 
-const char* nameOf(Lifecycle state) noexcept;
-
 /// A haptic device. The thread of the engine calls read() and command() in turn; they neither
 /// allocate, wait nor throw. The other functions are called while the engine does not tick, unless
 /// their comment says otherwise.

@@ -323,19 +323,6 @@ struct AsJson {
 
 }  // namespace
 
-const DeviceKind& deviceKindOf(const DeviceEntry& entry) noexcept {
-  struct Kind {
-    const DeviceKind& operator()(const SimulatedSettings& settings) const { return *settings.kind; }
-    const DeviceKind& operator()(const SerialPunchSettings& settings) const {
-      return *settings.punch.kind;
-    }
-    const DeviceKind& operator()(const IiwaSettings&) const {
-      return haptics::devices::reamerKind();
-    }
-  };
-  return std::visit(Kind{}, entry.settings);
-}
-
 std::optional<std::vector<DeviceEntry>> readDevices(std::string_view json, Problems& problems) {
   Problems found;
   std::vector<DeviceEntry> devices;

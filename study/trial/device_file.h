@@ -29,9 +29,6 @@ struct DeviceEntry {
   std::variant<SimulatedSettings, SerialPunchSettings, haptics::devices::IiwaSettings> settings;
 };
 
-/// The kind of the device that the entry describes.
-const haptics::devices::DeviceKind& deviceKindOf(const DeviceEntry& entry) noexcept;
-
 /// The device file in a study's folder that is used unless another one is named.
 inline constexpr std::string_view kDeviceFileName = "devices.json";
 

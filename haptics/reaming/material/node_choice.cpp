@@ -188,13 +188,6 @@ NodeChoice chooseNodes(
   return choice;
 }
 
-double largestError(
-    const SampledCurve& curve,
-    std::span<const std::size_t> nodes,
-    const NodeCriterion& nodeCriterion) {
-  return SplineDeviation(curve, nodeCriterion).through(nodes).error;
-}
-
 SplineDeviation::SplineDeviation(const SampledCurve& curve, const NodeCriterion& nodeCriterion)
     : curve_(curve), criterion_(nodeCriterion), slopes_(dataSlopes(curve)) {
   if (nodeCriterion.rule == NodeRule::PaperLiteral) criterion_.floor = 0.0;

@@ -62,12 +62,6 @@ NodeChoice chooseNodes(const SampledCurve& curve, const NodeCriterion& nodeCrite
 NodeChoice chooseNodes(
     const SampledCurve& curve, std::size_t count, const NodeCriterion& nodeCriterion);
 
-/// The largest error of the spline through @p nodes, as @p nodeCriterion defines it.
-double largestError(
-    const SampledCurve& curve,
-    std::span<const std::size_t> nodes,
-    const NodeCriterion& nodeCriterion);
-
 /// Computes errors of splines through some samples of a curve.
 class SplineDeviation {
  public:

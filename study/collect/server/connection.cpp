@@ -254,10 +254,6 @@ std::string Rows::text(int row, int column) const {
   return {PQgetvalue(result_.get(), row, column), size};
 }
 
-std::optional<std::string> Rows::optionalText(int row, int column) const {
-  return isNull(row, column) ? std::nullopt : std::optional(text(row, column));
-}
-
 std::int64_t Rows::number(int row, int column) const {
   return std::strtoll(PQgetvalue(result_.get(), row, column), nullptr, 10);
 }

@@ -71,7 +71,6 @@ class Rows {
   bool isEmpty() const noexcept { return count() == 0; }
   bool isNull(int row, int column) const noexcept;
   std::string text(int row, int column) const;
-  std::optional<std::string> optionalText(int row, int column) const;
   std::int64_t number(int row, int column) const;
   std::optional<std::int64_t> optionalNumber(int row, int column) const;
   /// A column of the type bytea.

@@ -221,11 +221,6 @@ void WorkDialog::fit() {
   fitTo(isOwn ? wanted : std::max(wanted, height()));
 }
 
-/// Another table does not make the dialog lower, or it would jump.
-void WorkDialog::enlarge() {
-  if (isVisible()) fitTo(std::max(wantedHeight(), height()));
-}
-
 void WorkDialog::fitTo(int height) {
   fittedHeight_ = height;
   // A scroll bar narrows the labels; they then wrap into more lines and keep the bar necessary.

@@ -78,7 +78,6 @@ class WorkDialog : public QDialog {
   int heightOfPage() const;
   void fitTable(int room);
   int wantedHeight();
-  void enlarge();
   void fitTo(int height);
 
   QScrollArea* scroll_;

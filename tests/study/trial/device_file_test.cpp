@@ -68,7 +68,7 @@ TEST(DeviceFile, ReadsHowEveryDeviceIsConnected) {
   EXPECT_DOUBLE_EQ((*arm.zero)[3], -std::numbers::pi / 2.0);
   EXPECT_DOUBLE_EQ(arm.margins.position, 6.0 * std::numbers::pi / 180.0);
   EXPECT_EQ(arm.margins.torque, 0.4);
-  EXPECT_EQ(&deviceKindOf((*devices)[2]), &reamerKind());
+  EXPECT_EQ(std::get<SimulatedSettings>((*devices)[2].settings).kind, &reamerKind());
 }
 
 TEST(DeviceFile, ReadsWhatItWrites) {

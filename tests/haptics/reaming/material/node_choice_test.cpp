@@ -168,10 +168,11 @@ TEST(NodeChoice, OfTwelveNodesIsAtLeastAsGoodAsTheSearchOfSciPy) {
     const auto kind = wanted.at("kind") == "cubic-natural" ? SplineKind::NaturalCubic
                                                            : SplineKind::HermiteDataSlope;
     const auto asked = nodeCriterion(0.05, NodeRule::Greedy, kind);
+    const SplineDeviation deviation(curve, asked);
     const auto even = wanted.at("even_nodes").get<std::vector<std::size_t>>();
     const auto best = wanted.at("best_nodes").get<std::vector<std::size_t>>();
-    EXPECT_NEAR(largestError(curve, even, asked), wanted.at("even_error").get<double>(), 1e-9);
-    EXPECT_NEAR(largestError(curve, best, asked), wanted.at("best_error").get<double>(), 1e-9);
+    EXPECT_NEAR(deviation.through(even).error, wanted.at("even_error").get<double>(), 1e-9);
+    EXPECT_NEAR(deviation.through(best).error, wanted.at("best_error").get<double>(), 1e-9);
     const auto choice = chooseNodes(curve, best.size(), asked);
     EXPECT_LE(choice.error, 1.02 * wanted.at("best_error").get<double>()) << wanted.at("kind");
   }
