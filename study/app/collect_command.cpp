@@ -18,18 +18,18 @@ constexpr const char* kProgram = "palpate-collect";
         "This palpate was built without PostgreSQL's client library, so that it cannot collect "
         "from several sites: './setup --collect' installs it; then build again.");
   }
-  handOver(kProgram, words);
+  replaceProcessBy(kProgram, words);
 }
 
 }  // namespace
 
 void addCollectCommand(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand(
+  auto* command = program.add_subcommand(
       "collect", "One study at many sites, collected in PostgreSQL: starts palpate-collect");
-  noun->prefix_command();  // all further arguments go to the other program
-  noun->set_help_flag();   // --help is passed to the other program, too
-  noun->callback(
-      [&action, noun] { action = [words = noun->remaining()]() -> int { collect(words); }; });
+  command->prefix_command();  // all further arguments go to the other program
+  command->set_help_flag();   // --help is passed to the other program, too
+  command->callback(
+      [&action, command] { action = [words = command->remaining()]() -> int { collect(words); }; });
 }
 
 }  // namespace study::app

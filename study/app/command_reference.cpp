@@ -71,7 +71,7 @@ void readType(const std::string& type, OptionDescription& option) {
 OptionDescription describe(const CLI::Option& option) {
   OptionDescription described{
       .text = option.get_description(),
-      .initial = option.get_default_str(),
+      .defaultValue = option.get_default_str(),
       .isRequired = option.get_required(),
       .isPositional = option.get_positional()};
   for (const auto& name : option.get_snames()) described.names.push_back("-" + name);
@@ -142,7 +142,7 @@ std::string remarks(const OptionDescription& option) {
   if (option.isRequired) parts.emplace_back("required");
   if (!option.choices.empty()) parts.push_back("one of: " + join(option.choices, ", "));
   if (!option.range.empty()) parts.push_back(option.range);
-  if (!option.initial.empty()) parts.push_back("default: " + option.initial);
+  if (!option.defaultValue.empty()) parts.push_back("default: " + option.defaultValue);
   return parts.empty() ? "" : " (" + join(parts, "; ") + ")";
 }
 
@@ -235,7 +235,7 @@ class HelpFormatter final : public CLI::Formatter {
     }
     std::vector<std::string> remarks;
     if (!described.range.empty()) remarks.push_back(described.range);
-    if (!described.initial.empty()) remarks.push_back("default: " + described.initial);
+    if (!described.defaultValue.empty()) remarks.push_back("default: " + described.defaultValue);
     if (!option->get_envname().empty()) remarks.push_back("or $" + option->get_envname());
     if (!remarks.empty()) text += " (" + join(remarks, "; ") + ")";
     if (option->get_expected_max() == CLI::detail::expected_max_vector_size) text += " ...";

@@ -16,7 +16,7 @@ struct OptionDescription {
   std::string text{};                  ///< description
   std::string range{};                 ///< accepted values, in words: "1 to 100"
   std::vector<std::string> choices{};  ///< all accepted values; empty if they cannot be listed
-  std::string initial{};               ///< default value
+  std::string defaultValue{};          ///< default value
   bool isRequired = false;
   bool isPositional = false;
 };

@@ -17,17 +17,23 @@ using Action = std::function<int()>;
 void addInstrumentCommands(CLI::App& program, Action& action);
 void addProtocolCommands(CLI::App& program, Action& action);
 void addStudyCommands(CLI::App& program, Action& action);
-void addConsentCommand(CLI::App& noun, Action& action);        // @p noun is the command "study"
-void addErasureCommands(CLI::App& noun, Action& action);       // @p noun is the command "study"
-void addProtocolTextsCommand(CLI::App& noun, Action& action);  // @p noun is the command "protocol"
-void addEvidenceCommands(CLI::App& noun, Action& action);      // @p noun is the command "study"
-void addKeyCommands(CLI::App& study, Action& action);          // for the command "study"
-void addStudyTextsCommand(CLI::App& noun, Action& action);     // @p noun is the command "study"
+void addConsentCommand(
+    CLI::App& parentCommand, Action& action);  // @p parentCommand is the command "study"
+void addErasureCommands(
+    CLI::App& parentCommand, Action& action);  // @p parentCommand is the command "study"
+void addProtocolTextsCommand(
+    CLI::App& parentCommand, Action& action);  // @p parentCommand is the command "protocol"
+void addEvidenceCommands(
+    CLI::App& parentCommand, Action& action);          // @p parentCommand is the command "study"
+void addKeyCommands(CLI::App& study, Action& action);  // for the command "study"
+void addStudyTextsCommand(
+    CLI::App& parentCommand, Action& action);  // @p parentCommand is the command "study"
 void addStatsCommands(CLI::App& program, Action& action);
 void addReportCommand(CLI::App& program, Action& action);
 void addExportCommand(CLI::App& program, Action& action);
 void addRecordingCommands(CLI::App& program, Action& action);
-void addCalibrateCommand(CLI::App& noun, Action& action);  // @p noun is the command "recording"
+void addCalibrateCommand(
+    CLI::App& parentCommand, Action& action);  // @p parentCommand is the command "recording"
 void addSceneCommands(CLI::App& program, Action& action);
 void addMaterialCommands(CLI::App& program, Action& action);
 void addPackingCommands(CLI::App& program, Action& action);

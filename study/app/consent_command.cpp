@@ -34,9 +34,13 @@ int copyConsent(const ConsentArguments& options) {
 
 }  // namespace
 
-void addConsentCommand(CLI::App& noun, Action& action) {
+void addConsentCommand(CLI::App& parentCommand, Action& action) {
   auto [verb, options] = addCommand(
-      noun, action, "consent", "Write the participant's copy of the signed consent", copyConsent);
+      parentCommand,
+      action,
+      "consent",
+      "Write the participant's copy of the signed consent",
+      copyConsent);
   addStudyFolder(*verb, options.folder);
   verb->add_option("--participant", options.participant, "Participant code")
       ->type_name("CODE")

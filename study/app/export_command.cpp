@@ -25,9 +25,9 @@ struct ExportArguments {
   bool exact = false;
   bool texts = false;
   bool unblind = false;
-  std::string codesOf;
+  std::string folderOfCodes;
   std::string reason;
-  bool forPublic = false;
+  bool isForPublic = false;
   std::size_t smallestClass = kSmallestPublicClass;
 };
 
@@ -43,47 +43,51 @@ const std::map<std::string, ExportFormat> kFormats{
 void printExport(
     Study& study,
     const ExportArguments& options,
-    const ExportOptions& how,
+    const ExportOptions& exportOptions,
     const WrittenExport& written) {
   const auto sessions = written.sessions;
-  const std::string what = std::string(nameOf(*how.runMode)) + " session";
+  const std::string what = std::string(nameOf(*exportOptions.runMode)) + " session";
   fmt::print(
       "Export saved: {} ({}, {}).\n",
       options.out,
       sessions == 0 ? "no " + what + "s" : words::counted(sessions, what),
-      blindingInWords(study, how));
+      blindingInWords(study, exportOptions));
   if (sessions == 0) fmt::print("Its tables are empty.\n");
-  if (sessions > 0 && how.runMode == RunMode::Simulated) {
+  if (sessions > 0 && exportOptions.runMode == RunMode::Simulated) {
     fmt::print("Nobody took part: these answers say nothing about any method.\n");
   }
   if (!written.isNoted) fmt::print("{}\n", kCopyNotNoted);
 }
 
 RunMode runModeIn(const ExportArguments& options) {
-  const auto access = options.unblind || options.forPublic ? storage::Database::Access::ReadWrite
-                                                           : storage::Database::Access::ReadOnly;
+  const auto access = options.unblind || options.isForPublic ? storage::Database::Access::ReadWrite
+                                                             : storage::Database::Access::ReadOnly;
   auto study = Study::open(options.folder, access);
   return chosenRunMode(study, options.runMode);
 }
 
 int exportAs(const ExportArguments& options) {
-  ExportOptions how{
+  ExportOptions exportOptions{
       .format = kFormats.at(options.format),
       .runMode = runModeIn(options),
       .isBlinded = !options.unblind,
       .hasTraces = options.traces,
       .isExact = options.exact,
       .hasTexts = options.texts};
-  if (!options.codesOf.empty()) how.codes = codeSetOf(options.codesOf);
-  if (options.forPublic) how.publicClass = options.smallestClass;
-  auto study = openForExport(options.folder, how);
+  if (!options.folderOfCodes.empty()) exportOptions.codes = codeSetOf(options.folderOfCodes);
+  if (options.isForPublic) exportOptions.publicClass = options.smallestClass;
+  auto study = openForExport(options.folder, exportOptions);
   askForKeyIfLocked(study);
-  if (!options.forPublic && how.runMode != RunMode::Simulated) {
+  if (!options.isForPublic && exportOptions.runMode != RunMode::Simulated) {
     askForNamesIfLocked(study, true);
-    fmt::print("{}", identifiabilityInWords(study, how));
+    fmt::print("{}", identifiabilityInWords(study, exportOptions));
   }
-  if (options.forPublic) fmt::print("{}", describe(publicRelease(study, how)));
-  printExport(study, options, how, exportStudy(study, options.out, how, options.reason));
+  if (options.isForPublic) fmt::print("{}", describe(publicRelease(study, exportOptions)));
+  printExport(
+      study,
+      options,
+      exportOptions,
+      exportStudy(study, options.out, exportOptions, options.reason));
   return 0;
 }
 
@@ -125,22 +129,22 @@ void addExportCommand(CLI::App& program, Action& action) {
       command
           ->add_option(
               "--codes-of",
-              options.codesOf,
+              options.folderOfCodes,
               "Reuse the condition codes of the earlier export in this folder (default: new codes)")
           ->type_name("FOLDER");
-  auto* forPublic = command->add_flag(
+  auto* isForPublic = command->add_flag(
       "--public",
-      options.forPublic,
+      options.isForPublic,
       "Data to publish: ages etc. as ranges, no free text, no times, new ids, no group smaller "
       "than --k (k-anonymous)");
-  forPublic->excludes(exact)->excludes(texts)->excludes(codes)->excludes(traces);
+  isForPublic->excludes(exact)->excludes(texts)->excludes(codes)->excludes(traces);
   command
       ->add_option(
           "--k",
           options.smallestClass,
           "At least this many participants share each published combination of age range, sex and "
           "the like; 5 or more")
-      ->needs(forPublic)
+      ->needs(isForPublic)
       ->check(CLI::Range(kSmallestPublicClass, std::size_t{100'000}))
       ->capture_default_str();
 }

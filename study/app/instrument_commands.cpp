@@ -231,14 +231,14 @@ void addLanguage(CLI::App& verb, std::string& language) {
 }  // namespace
 
 void addInstrumentCommands(CLI::App& program, Action& action) {
-  auto& noun = addCommandGroup(
+  auto& parentCommand = addCommandGroup(
       program,
       "instrument",
       "Questionnaires: list, check, scoring keys, files for licensed or translated texts");
-  addCommand(noun, action, "list", "List the instruments of the library", app::list);
+  addCommand(parentCommand, action, "list", "List the instruments of the library", app::list);
 
   auto [check, checking] = addCommand(
-      noun,
+      parentCommand,
       action,
       "check",
       "List all problems of an instrument and its wording files",
@@ -254,7 +254,7 @@ void addInstrumentCommands(CLI::App& program, Action& action) {
   addLanguage(*check, checking.language);
 
   auto [keys, scoring] = addCommand(
-      noun,
+      parentCommand,
       action,
       "keys",
       "Print how an instrument is scored: its reversed items and its formulas",
@@ -262,7 +262,7 @@ void addInstrumentCommands(CLI::App& program, Action& action) {
   addName(*keys, scoring.name);
 
   auto [wording, writing] = addCommand(
-      noun,
+      parentCommand,
       action,
       "wording",
       "Write a wording file to fill in: texts under licence, or a translation",

@@ -35,7 +35,7 @@ std::string testAsJson(
 /// The results of a study, as `palpate stats run` computes them.
 std::string resultsAsJson(Study& study, const Results& results);
 
-/// What `palpate study status` shows.
+/// The state of a study, as `palpate study status` shows it.
 std::string statusAsJson(Study& study);
 
 /// Blanks in texts as a list of `key`, `title`, and `text` by language; `text` is null if the blank

@@ -17,7 +17,8 @@ namespace {
 
 /// Prints Qt's messages, except the one that there is no desktop session, which Qt prints at every
 /// start on a server.
-void say(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QString& words) {
+void printQtMessage(
+    QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QString& words) {
   if (words.contains(QLatin1String("XDG_RUNTIME_DIR"))) return;
   std::fprintf(stderr, "%s\n", words.toUtf8().constData());
 }
@@ -29,7 +30,7 @@ std::unique_ptr<QGuiApplication> applicationForFonts() {
   static char* argv[] = {name, nullptr};
   if (QCoreApplication::instance() != nullptr) return nullptr;
   setenv("QT_QPA_PLATFORM", "offscreen", 0);
-  qInstallMessageHandler(say);
+  qInstallMessageHandler(printQtMessage);
   return std::make_unique<QGuiApplication>(argc, argv);
 }
 

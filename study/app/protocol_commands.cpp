@@ -18,12 +18,12 @@ namespace {
 
 using words::counted;
 
-struct CheckOptions {
+struct CheckArguments {
   std::string file;
   bool json = false;
 };
 
-int check(const CheckOptions& options) {
+int check(const CheckArguments& options) {
   questionnaires::Problems problems;
   const auto loaded = protocols::loadProtocolFile(options.file, problems);
   if (options.json) {
@@ -46,9 +46,9 @@ int check(const CheckOptions& options) {
   return 0;
 }
 
-struct ListOptions {};
+struct ListArguments {};
 
-int list(const ListOptions& /*options*/) {
+int list(const ListArguments& /*options*/) {
   for (const auto& name : protocols::libraryProtocols()) {
     questionnaires::Problems problems;
     const auto loaded = protocols::loadProtocol(
@@ -65,7 +65,7 @@ int list(const ListOptions& /*options*/) {
   return 0;
 }
 
-struct OrdersOptions {
+struct OrdersArguments {
   std::string file;
   std::size_t participants = 0;
   std::optional<std::uint64_t> seed;
@@ -74,7 +74,7 @@ struct OrdersOptions {
 
 /// Prints the trials of all participants as CSV, one row each.
 void printTrials(
-    const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
+    const protocols::Protocol& protocol, const OrdersArguments& options, std::uint64_t seed) {
   fmt::print("cohort,participant,block,position,alternative,condition\n");
   for (const auto& cohort : protocol.cohorts) {
     for (std::size_t slot = 0; slot < options.participants; ++slot) {
@@ -95,7 +95,7 @@ void printTrials(
 }
 
 /// Numbers in a list: "1, 4, 7", shortened to eight.
-std::string listed(const std::vector<std::size_t>& people) {
+std::string participantList(const std::vector<std::size_t>& people) {
   constexpr std::size_t kShown = 8;
   std::string text;
   for (std::size_t i = 0; i < std::min(people.size(), kShown); ++i) {
@@ -120,7 +120,7 @@ std::string describeOrder(
 
 /// Prints each distinct order once, with its participants.
 void printOrders(
-    const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
+    const protocols::Protocol& protocol, const OrdersArguments& options, std::uint64_t seed) {
   for (const auto& cohort : protocol.cohorts) {
     std::map<std::string, std::vector<std::pair<std::string, std::vector<std::size_t>>>> byPhase;
     for (std::size_t slot = 0; slot < options.participants; ++slot) {
@@ -136,7 +136,8 @@ void printOrders(
     fmt::print("{}\n", cohort.id);
     for (const auto& [phase, found] : byPhase) {
       for (const auto& [order, people] : found) {
-        fmt::print("  {:>4} ×  {}: {}   [{}]\n", people.size(), phase, order, listed(people));
+        fmt::print(
+            "  {:>4} ×  {}: {}   [{}]\n", people.size(), phase, order, participantList(people));
       }
     }
   }
@@ -147,7 +148,7 @@ void printOrders(
       isRandom ? " Labels are drawn for everybody: --csv has them." : " In brackets: the label.");
 }
 
-int orders(const OrdersOptions& options) {
+int orders(const OrdersArguments& options) {
   questionnaires::Problems problems;
   const auto loaded = protocols::loadProtocolFile(options.file, problems);
   if (!loaded) {
@@ -172,15 +173,15 @@ int orders(const OrdersOptions& options) {
 }  // namespace
 
 void addProtocolCommands(CLI::App& program, Action& action) {
-  auto& noun = addCommandGroup(
+  auto& parentCommand = addCommandGroup(
       program,
       "protocol",
       "List the protocols of the library; check a protocol, list its orders, fill in its texts");
 
-  addCommand(noun, action, "list", "List the protocols of the library", list);
+  addCommand(parentCommand, action, "list", "List the protocols of the library", list);
 
   auto [check, checking] = addCommand(
-      noun,
+      parentCommand,
       action,
       "check",
       "List all problems of a protocol, each with its place and a fix",
@@ -189,7 +190,7 @@ void addProtocolCommands(CLI::App& program, Action& action) {
   check->add_flag("--json", checking.json, "Print JSON");
 
   auto [orders, ordering] = addCommand(
-      noun,
+      parentCommand,
       action,
       "orders",
       "List the orders in which participants feel the conditions, and how balanced they are",
@@ -209,7 +210,7 @@ void addProtocolCommands(CLI::App& program, Action& action) {
       ordering.csv,
       "Print the trials of all participants as CSV, and leave out how balanced the orders are");
 
-  addProtocolTextsCommand(noun, action);
+  addProtocolTextsCommand(parentCommand, action);
 }
 
 }  // namespace study::app

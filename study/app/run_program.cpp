@@ -47,7 +47,7 @@ std::string describeMistake(const CLI::App& program, const CLI::ParseError& erro
 
 /// Whether all output was written. If not, prints an error, so that a table that was cut off by a
 /// full disk is not taken for complete.
-bool isPrinted(const CLI::App& program) {
+bool isOutputWritten(const CLI::App& program) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
   std::fprintf(
       stderr,
@@ -70,7 +70,7 @@ int runProgram(CLI::App& program, const Action& action, int argc, char** argv) {
   }
   try {
     const int status = action ? action() : 0;
-    return isPrinted(program) ? status : kFailed;
+    return isOutputWritten(program) ? status : kFailed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", program.get_name().c_str(), error.what());
     return kFailed;

@@ -28,12 +28,12 @@
 namespace study::app {
 namespace {
 
-struct PlayOptions {
+struct PlayArguments {
   std::string file;
   std::vector<std::string> conditions;
   std::string profile = "closing";
   std::string out;
-  std::string over = "travel";
+  std::string xAxis = "travel";
   std::optional<double> from;
   std::optional<double> to;
   std::optional<double> speed;
@@ -43,7 +43,7 @@ struct PlayOptions {
   std::optional<std::string> smoothing;
 };
 
-struct ExplainOptions {
+struct ExplainArguments {
   std::string file;
   std::string condition;
   std::string devices;  ///< a device file; empty: the simulated device
@@ -187,7 +187,7 @@ void print(
 }
 
 /// The protocol; std::nullopt after printing its problems.
-std::optional<protocols::LoadedProtocol> loaded(const std::string& file) {
+std::optional<protocols::LoadedProtocol> loadOrPrintProblems(const std::string& file) {
   questionnaires::Problems problems;
   auto protocol = protocols::loadProtocolFile(file, problems);
   if (!protocol) std::fputs(questionnaires::describe(problems.all()).c_str(), stderr);
@@ -203,18 +203,18 @@ const protocols::Condition& conditionOf(
 }
 
 /// The capabilities of the simulated device for @p condition.
-haptics::devices::Capabilities simulatedDeviceFor(
+haptics::devices::Capabilities simulatedCapabilitiesFor(
     const protocols::Protocol& protocol, const protocols::Condition& condition) {
   return haptics::devices::simulated(*protocol.device(condition.device)->kind);
 }
 
 /// The capabilities of the device for @p condition: of the device in the device file, or of the
 /// simulated one.
-haptics::devices::Capabilities deviceFor(
-    const ExplainOptions& options,
+haptics::devices::Capabilities capabilitiesFor(
+    const ExplainArguments& options,
     const protocols::Protocol& protocol,
     const protocols::Condition& condition) {
-  if (options.devices.empty()) return simulatedDeviceFor(protocol, condition);
+  if (options.devices.empty()) return simulatedCapabilitiesFor(protocol, condition);
   HardwareDeviceSet deviceSet(loadDevices(options.devices), [](const auto& need) {
     return simulatedHandFor(need, 1, {}, 0);
   });
@@ -225,14 +225,14 @@ haptics::devices::Capabilities deviceFor(
   return device->capabilities();
 }
 
-int explain(const ExplainOptions& options) {
-  const auto file = loaded(options.file);
+int explain(const ExplainArguments& options) {
+  const auto file = loadOrPrintProblems(options.file);
   if (!file) return 1;
   const auto* condition = &conditionOf(file->protocol, options.condition);
   auto spec = condition->scene();
   spec.isVisualised = spec.isVisualised || options.visualised;
   haptics::engine::CompiledScene scene(spec);
-  const auto device = deviceFor(options, file->protocol, *condition);
+  const auto device = capabilitiesFor(options, file->protocol, *condition);
   const auto slope = haptics::engine::renderedSlope(spec, *device.kind, device.rate);
   std::vector<SceneCost> costs;
   if (options.cost) costs = measureCosts(spec, *device.kind);
@@ -248,7 +248,7 @@ int explain(const ExplainOptions& options) {
 /// The motion of the tool, from the device's smallest travel to the end of the data of all scenes;
 /// to the device's largest travel if the data of a scene have no end.
 Motion motionFor(
-    const PlayOptions& options,
+    const PlayArguments& options,
     const haptics::devices::Capabilities& device,
     const std::vector<const protocols::Condition*>& conditions) {
   Motion motion{.least = options.from.value_or(device.leastTravel), .quantum = options.quantum};
@@ -277,7 +277,7 @@ Motion motionFor(
 
 /// Plays a condition without noise, or once for each requested noise.
 void playCondition(
-    const PlayOptions& options,
+    const PlayArguments& options,
     const protocols::Condition& condition,
     haptics::engine::SceneSpec spec,
     const TravelProfile& profile,
@@ -314,7 +314,7 @@ void playCondition(
 
 /// The output file with another extension: "out.csv" and "out.svg" for "out", "out.csv" or
 /// "out.svg".
-std::string beside(const std::string& out, const char* extension) {
+std::string withExtension(const std::string& out, const char* extension) {
   std::filesystem::path path(out);
   const auto own = path.extension();
   if (own == ".csv" || own == ".svg") path.replace_extension();
@@ -323,23 +323,23 @@ std::string beside(const std::string& out, const char* extension) {
 
 /// The requested conditions. @throws UserError  if they need different devices.
 std::vector<const protocols::Condition*> playedConditions(
-    const PlayOptions& options, const protocols::Protocol& protocol) {
+    const PlayArguments& options, const protocols::Protocol& protocol) {
   std::vector<const protocols::Condition*> conditions;
   for (const auto& id : options.conditions) {
     conditions.push_back(&conditionOf(protocol, id));
-    if (simulatedDeviceFor(protocol, *conditions.back()).kind !=
-        simulatedDeviceFor(protocol, *conditions.front()).kind) {
+    if (simulatedCapabilitiesFor(protocol, *conditions.back()).kind !=
+        simulatedCapabilitiesFor(protocol, *conditions.front()).kind) {
       throw UserError("These conditions are felt on different devices; play them one by one.");
     }
   }
   return conditions;
 }
 
-int playScene(const PlayOptions& options) {
-  const auto file = loaded(options.file);
+int playScene(const PlayArguments& options) {
+  const auto file = loadOrPrintProblems(options.file);
   if (!file) return 1;
   const auto conditions = playedConditions(options, file->protocol);
-  const auto device = simulatedDeviceFor(file->protocol, *conditions.front());
+  const auto device = simulatedCapabilitiesFor(file->protocol, *conditions.front());
   const auto profile = profileOf(motionFor(options, device, conditions));
   std::vector<PlayedCurve> curves;
   for (const auto* condition : conditions) {
@@ -348,14 +348,14 @@ int playScene(const PlayOptions& options) {
   report::Document document{
       .parts = {
           {.figures = {
-               {.chart = asChart(profile, curves, *device.kind, options.over == "time")}}}}};
+               {.chart = asChart(profile, curves, *device.kind, options.xAxis == "time")}}}}};
   paintFigures(document);
   const auto& svg = document.parts.front().figures.front().svg;
-  const std::string csv = beside(options.out, ".csv");
+  const std::string csv = withExtension(options.out, ".csv");
   writeNewFile(csv, asCsv(asTable(profile, curves)));
   fmt::print("Curves saved: {} ({} curves of {} steps)", csv, curves.size(), profile.travel.size());
   if (!svg.empty()) {
-    const std::string picture = beside(options.out, ".svg");
+    const std::string picture = withExtension(options.out, ".svg");
     writeNewFile(picture, svg);
     fmt::print(", picture: {}", picture);
   }
@@ -370,9 +370,9 @@ std::vector<std::string> namesIn(const Names& known) {
   return names;
 }
 
-void addPlay(CLI::App& noun, Action& action) {
+void addPlay(CLI::App& parentCommand, Action& action) {
   auto [play, options] = addCommand(
-      noun,
+      parentCommand,
       action,
       "play",
       "Plot the force of conditions over travel, before the force limit",
@@ -427,7 +427,7 @@ void addPlay(CLI::App& noun, Action& action) {
           "Smoothing of the filtered force: none, two-point (mean of two steps), authors-firmware "
           "(as in the published code) (default: the protocol's)")
       ->check(CLI::IsMember(namesIn(haptics::engine::kSmoothingNames)));
-  play->add_option("--over", options.over, "Horizontal axis of the figure")
+  play->add_option("--over", options.xAxis, "Horizontal axis of the figure")
       ->check(CLI::IsMember({"travel", "time"}))
       ->capture_default_str();
   play->add_option(
@@ -439,11 +439,11 @@ void addPlay(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addSceneCommands(CLI::App& program, Action& action) {
-  auto& noun = addCommandGroup(
+  auto& parentCommand = addCommandGroup(
       program, "scene", "Explain how the force of a condition is computed (its scene), or plot it");
-  addPlay(noun, action);
+  addPlay(parentCommand, action);
   auto [explain, options] = addCommand(
-      noun,
+      parentCommand,
       action,
       "explain",
       "Explain how the force of a condition is computed: its steps, those that are left out, and "

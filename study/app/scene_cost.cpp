@@ -19,7 +19,7 @@ constexpr int kTicksPerFrame = 17;  // for a display with 60 Hz and a loop with 
 /// prevent the compiler from removing the work.
 using ExtraWork = std::function<double(double travel, double force, int tick)>;
 
-timing::Contestant contestant(
+timing::Contestant makeContestant(
     const std::string& what, const engine::SceneSpec& spec, double middle, ExtraWork extraWork) {
   auto scene = std::make_shared<engine::CompiledScene>(spec);
   return {what, [scene, middle, extraWork = std::move(extraWork)](int steps) {
@@ -62,7 +62,7 @@ ExtraWork extraMesh(const engine::FiniteElementsSpec& spec, int every) {
 void addMeniscus(
     const engine::SceneSpec& spec, double middle, std::vector<timing::Contestant>& contestants) {
   const auto add = [&](const char* what, ExtraWork extraWork) {
-    contestants.push_back(contestant(what, spec, middle, std::move(extraWork)));
+    contestants.push_back(makeContestant(what, spec, middle, std::move(extraWork)));
   };
   const auto parts = engine::partsOf(spec.model);
   const auto shown = parts.elements != nullptr ? *parts.elements : engine::publishedElements(5);
@@ -88,7 +88,7 @@ void addMaterial(
     double middle,
     std::vector<timing::Contestant>& contestants) {
   const auto add = [&](const char* what, ExtraWork extraWork) {
-    contestants.push_back(contestant(what, spec, middle, std::move(extraWork)));
+    contestants.push_back(makeContestant(what, spec, middle, std::move(extraWork)));
   };
   add("as it is", nullptr);
   auto lower = material;
@@ -112,7 +112,7 @@ void addPacking(
     double middle,
     std::vector<timing::Contestant>& contestants) {
   const auto add = [&](const char* what, const auto& model) {
-    contestants.push_back(contestant(what, {.model = model}, middle, nullptr));
+    contestants.push_back(makeContestant(what, {.model = model}, middle, nullptr));
   };
   add("as it is", packing);
   auto other = packing;

@@ -23,7 +23,7 @@ double minimumJerk(double tau) {
 constexpr double kPeakSpeedOfMinimumJerk = 1.875;
 
 /// The position, 0 to 1, at time @p tau, 0 to 1.
-double placeAt(Motion::Shape shape, double tau) {
+double positionAt(Motion::Shape shape, double tau) {
   switch (shape) {
     case Motion::Shape::Closing:
       return tau;
@@ -51,7 +51,7 @@ double secondsOf(const Motion& motion) {
 /// Repeats the first step until the scene is ready, as if the hand waited before a trial. A bone
 /// gives no force until the tool is known to be outside of all its spheres, of which each tick
 /// checks some. Other scenes are ready at once.
-haptics::models::Response<double> firstAnswer(
+haptics::models::Response<double> firstResponse(
     engine::CompiledScene& scene, const engine::ToolState& first) {
   constexpr double kLongest = 10.0;  // [s]: enough to check 20 million spheres
   auto response = scene.respond(first);
@@ -72,7 +72,7 @@ PlayedCurve playOne(
   for (std::size_t i = 0; i < profile.travel.size(); ++i) {
     tool.velocity = (profile.travel[i] - tool.travel) * profile.rate;
     tool.travel = profile.travel[i];
-    const auto response = i == 0 ? firstAnswer(scene, tool) : scene.respond(tool);
+    const auto response = i == 0 ? firstResponse(scene, tool) : scene.respond(tool);
     curve.force.push_back(response.isDefined ? response.force : std::nan(""));
     curve.stiffness.push_back(response.isDefined ? response.stiffness : std::nan(""));
   }
@@ -102,7 +102,7 @@ TravelProfile profileOf(const Motion& motion) {
   const auto steps = static_cast<std::size_t>(std::ceil(seconds * motion.rate));
   for (std::size_t i = 0; i <= steps; ++i) {
     const double tau = std::fmin(static_cast<double>(i) / (motion.rate * seconds), 1.0);
-    double travel = motion.least + (motion.most - motion.least) * placeAt(motion.shape, tau);
+    double travel = motion.least + (motion.most - motion.least) * positionAt(motion.shape, tau);
     if (motion.quantum > 0.0) travel = motion.quantum * std::round(travel / motion.quantum);
     profile.travel.push_back(travel);
   }
@@ -135,7 +135,7 @@ DataTable asTable(const TravelProfile& profile, const std::vector<PlayedCurve>& 
   for (const char* name : {"condition", "curve", "time_s", "travel", "force_n", "stiffness"}) {
     table.columns.push_back({.name = name});
   }
-  const auto orNothing = [](double value) {
+  const auto cellOrEmpty = [](double value) {
     return std::isfinite(value) ? Cell(value) : Cell(std::monostate());
   };
   for (const auto& curve : curves) {
@@ -145,8 +145,8 @@ DataTable asTable(const TravelProfile& profile, const std::vector<PlayedCurve>& 
            curve.title,
            static_cast<double>(i) / profile.rate,
            profile.travel[i],
-           orNothing(curve.force[i]),
-           orNothing(curve.stiffness[i])});
+           cellOrEmpty(curve.force[i]),
+           cellOrEmpty(curve.stiffness[i])});
     }
   }
   return table;

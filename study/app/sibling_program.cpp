@@ -14,7 +14,7 @@ std::string siblingProgram(const std::string& name) {
   return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
 }
 
-void handOver(const std::string& name, const std::vector<std::string>& arguments) {
+void replaceProcessBy(const std::string& name, const std::vector<std::string>& arguments) {
   const auto program = siblingProgram(name);
   auto texts = arguments;
   texts.insert(texts.begin(), name);

@@ -10,6 +10,7 @@ std::string siblingProgram(const std::string& name);
 
 /// Replaces this process by another program in this program's folder; does not return.
 /// @throws UserError  if the program cannot be started.
-[[noreturn]] void handOver(const std::string& name, const std::vector<std::string>& arguments);
+[[noreturn]] void replaceProcessBy(
+    const std::string& name, const std::vector<std::string>& arguments);
 
 }  // namespace study::app

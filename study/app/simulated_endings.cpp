@@ -24,7 +24,7 @@ std::string_view phraseOf(const SimulatedSessionResult& ending) noexcept {
 
 }  // namespace
 
-int completedOf(const std::vector<SimulatedSessionResult>& endings) noexcept {
+int countCompleted(const std::vector<SimulatedSessionResult>& endings) noexcept {
   return static_cast<int>(std::count_if(endings.begin(), endings.end(), isCompleted));
 }
 
@@ -43,7 +43,7 @@ std::string describe(const SimulatedSessionResult& ending) {
   return text;
 }
 
-std::string describeOthers(const std::vector<SimulatedSessionResult>& endings) {
+std::string describeIncomplete(const std::vector<SimulatedSessionResult>& endings) {
   std::map<SessionState, std::pair<int, std::string>> others;
   for (const auto& ending : endings) {
     if (isCompleted(ending)) continue;

@@ -65,7 +65,7 @@ std::string keyAdviceOn(Study& study, const std::string& folder) {
 }
 
 /// The line on the station and site; empty for a study of one machine.
-std::string placeOf(const Study& study) {
+std::string stationLineOf(const Study& study) {
   if (study.isCollected()) return "collected from several stations: 'palpate collect' made it\n";
   const auto& station = study.station();
   return station.isNone() ? ""
@@ -112,7 +112,7 @@ int amend(const StudyArguments& options) {
   return 0;
 }
 
-int simulatedSessions(Study& study) {
+int countSimulatedSessions(Study& study) {
   const auto all = study.sessions().all();
   return static_cast<int>(std::count_if(
       all.begin(), all.end(), [](const auto& row) { return row.runMode == RunMode::Simulated; }));
@@ -135,8 +135,8 @@ int simulate(const StudyArguments& options) {
   const int participants = options.participants > 0
                                ? options.participants
                                : plannedParticipants(study.protocol().protocol);
-  const int already = simulatedSessions(study);
-  int finished = already;
+  const int sessionsBefore = countSimulatedSessions(study);
+  int finished = sessionsBefore;
   const auto acknowledge = [&](const SimulationEvent& done) {
     printProgress(done, finished, participants);
     if (!options.verbose) return;
@@ -151,19 +151,20 @@ int simulate(const StudyArguments& options) {
       acknowledge,
       options.devices);
   const int now = static_cast<int>(endings.size());
-  if (now > already) study.transact([&] { study.signTrail("simulated"); });
+  if (now > sessionsBefore) study.transact([&] { study.signTrail("simulated"); });
   fmt::print(
       "{} finished{}{}. Nobody took part: these answers say nothing about "
       "any method.\n",
       words::counted(
-          static_cast<std::uint64_t>(completedOf(endings)),
+          static_cast<std::uint64_t>(countCompleted(endings)),
           "simulated participant has",
           "simulated participants have"),
-      describeOthers(endings),
-      already == 0     ? ""
-      : already == now ? ", all of them begun before: no more were asked for, and none was added"
-                       : fmt::format(", {} of them begun before", already));
-  return completedOf(endings) == now ? 0 : 1;
+      describeIncomplete(endings),
+      sessionsBefore == 0 ? ""
+      : sessionsBefore == now
+          ? ", all of them begun before: no more were asked for, and none was added"
+          : fmt::format(", {} of them begun before", sessionsBefore));
+  return countCompleted(endings) == now ? 0 : 1;
 }
 
 int run(const StudyArguments& options) {
@@ -198,7 +199,7 @@ int status(const StudyArguments& options) {
       current.frozenUtc ? "frozen " + *current.frozenUtc
                         : "not frozen yet: no live participant has begun",
       study.createdUtc(),
-      placeOf(study),
+      stationLineOf(study),
       commitmentLineOf(study),
       sealLineOf(study),
       study.protocol().protocol.isOpenLabel
@@ -240,10 +241,10 @@ int status(const StudyArguments& options) {
 }  // namespace
 
 void addStudyCommands(CLI::App& program, Action& action) {
-  auto& noun = addCommandGroup(
+  auto& parentCommand = addCommandGroup(
       program, "study", "Create, run and manage a study: sessions, keys, backups, checks, erasure");
   const auto add = [&](const char* name, const char* help, int (*perform)(const StudyArguments&)) {
-    auto added = addCommand(noun, action, name, help, perform);
+    auto added = addCommand(parentCommand, action, name, help, perform);
     addStudyFolder(*added.command, added.options.folder);
     return added;
   };
@@ -326,11 +327,11 @@ void addStudyCommands(CLI::App& program, Action& action) {
       add("status", "Show participants and the progress of the study", app::status);
   status->add_flag("--json", showing.json, "Print JSON");
 
-  addEvidenceCommands(noun, action);
-  addKeyCommands(noun, action);
-  addStudyTextsCommand(noun, action);
-  addConsentCommand(noun, action);
-  addErasureCommands(noun, action);
+  addEvidenceCommands(parentCommand, action);
+  addKeyCommands(parentCommand, action);
+  addStudyTextsCommand(parentCommand, action);
+  addConsentCommand(parentCommand, action);
+  addErasureCommands(parentCommand, action);
 }
 
 }  // namespace study::app

@@ -67,7 +67,7 @@ bool isNo(const std::string& word) {
 /// A refused action has changed nothing, so a retry stores what was typed. After a minute the
 /// program gives up; the session can be resumed later.
 template <typename Action>
-void store(const Action& action) {
+void storeWithRetries(const Action& action) {
   for (int tries = 1;; ++tries) {
     try {
       action();
@@ -123,11 +123,12 @@ class TerminalSession {
   void step() {
     if (session_.state() == SessionState::Interrupted) {
       fmt::print("\nThe last trial broke off. It begins again.\n");
-      store([&] { session_.repeatStep("continued in the terminal"); });
+      storeWithRetries([&] { session_.repeatStep("continued in the terminal"); });
     }
-    if (session_.state() == SessionState::Paused) store([&] { session_.resumeAfterPause(); });
+    if (session_.state() == SessionState::Paused)
+      storeWithRetries([&] { session_.resumeAfterPause(); });
     if (session_.step().kind == StepKind::Trial) {
-      acceptsOffer() ? feel() : store([&] { session_.skipOptionalTrial(); });
+      acceptsOffer() ? runTrial() : storeWithRetries([&] { session_.skipOptionalTrial(); });
       return;
     }
     if (const auto* instrument = session_.instrument()) {
@@ -139,7 +140,7 @@ class TerminalSession {
     if (!phase->text.isEmpty()) fmt::print("\n{}\n", phase->text.in(language()));
     if (session_.step().kind == StepKind::Benchmark) countCuts();
     askAll();
-    store([&] { session_.finishStep(); });
+    storeWithRetries([&] { session_.finishStep(); });
   }
 
   /// Asks whether the participant wants an optional trial.
@@ -156,7 +157,7 @@ class TerminalSession {
     while (session_.benchmarkCuts() < needed) {
       fmt::print("How many cuts were made (at least {})? ", needed);
       const auto cuts = numberIn<int>(readLine());
-      if (cuts && *cuts >= 0) store([&] { session_.recordBenchmarkCuts(*cuts); });
+      if (cuts && *cuts >= 0) storeWithRetries([&] { session_.recordBenchmarkCuts(*cuts); });
     }
   }
 
@@ -194,7 +195,7 @@ class TerminalSession {
         .responseTime = seconds,
         .language = language()};
     try {
-      store([&] { session_.record(given); });
+      storeWithRetries([&] { session_.record(given); });
     } catch (const UserError& objection) {
       fmt::print("{}\n", objection.what());
       return false;
@@ -270,7 +271,7 @@ class TerminalSession {
     return chosen(item, line);
   }
 
-  void feel() {
+  void runTrial() {
     const Step step = session_.step();
     const auto& kind = *deviceFor(session_).kind;
     const std::string stroke(kind.strokeName.in("en"));
@@ -289,12 +290,12 @@ class TerminalSession {
       fmt::print("{}\n", error.what());
       return;  // the caller repeats the step
     }
-    store([&] { session_.beginTrial(); });
+    storeWithRetries([&] { session_.beginTrial(); });
     const auto record = runRealtime(*trial, step.minimumCuts, kLongestTrial);
     fmt::print(
         "{} in {:.1f} s.\n", words::counted(record.cuts.size(), stroke, strokes), record.duration);
     if (!record.deviceFault.empty()) fmt::print("{}.\n", record.deviceFault);
-    store([&] {
+    storeWithRetries([&] {
       record.ending == TrialEnding::Finished ? session_.finishTrial(record)
                                              : session_.abortTrial(record);
     });
@@ -305,7 +306,7 @@ class TerminalSession {
   std::unique_ptr<DeviceSet> deviceSet_;
 };
 
-std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {
+std::optional<SessionId> unfinishedSessionOf(Study& study, const Enrolment& enrolment) {
   for (const auto& row : study.sessions().all()) {
     const bool isMeant = enrolment.code.empty() || row.participant == enrolment.code;
     if (isMeant && row.runMode == enrolment.runMode && !isOver(row.state)) return row.id;
@@ -335,7 +336,7 @@ bool mayEnrol(Study& study, const Enrolment& enrolment) {
 int runInTerminal(
     Study& study, Enrolment enrolment, const std::string& deviceFile, const std::string& takeOver) {
   if (enrolment.cohort.empty()) enrolment.cohort = study.protocol().protocol.cohorts.front().id;
-  const auto open = unfinished(study, enrolment);
+  const auto open = unfinishedSessionOf(study, enrolment);
   if (!open && !mayEnrol(study, enrolment)) {
     fmt::print("No participant was enrolled.\n");
     return 1;

@@ -32,7 +32,7 @@ struct TextsArguments {
 
 /// Puts "institution=NTNU" or "de:institution=NTNU" into @p texts. An empty value removes the text
 /// in that language.
-void put(const std::string& assignment, BlankTexts& texts) {
+void setBlankText(const std::string& assignment, BlankTexts& texts) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw UserError(
@@ -51,10 +51,10 @@ void put(const std::string& assignment, BlankTexts& texts) {
   if (texts[key].isEmpty()) texts.erase(key);
 }
 
-protocols::LoadedProtocol filledIn(
+protocols::LoadedProtocol withFilledBlanks(
     const protocols::LoadedProtocol& loaded, const std::vector<std::string>& assignments) {
   auto texts = loaded.protocol.texts;
-  for (const auto& assignment : assignments) put(assignment, texts);
+  for (const auto& assignment : assignments) setBlankText(assignment, texts);
   questionnaires::Problems problems;
   auto filled = protocols::withTexts(loaded, texts, problems);
   if (!filled) {
@@ -106,7 +106,7 @@ int listOrFillProtocolTexts(const TextsArguments& options) {
   if (options.out.empty()) {
     throw UserError("Name a new file for the filled-in protocol: add --out FILE.json.");
   }
-  const auto filled = filledIn(loaded, options.set);
+  const auto filled = withFilledBlanks(loaded, options.set);
   writeNewFile(options.out, filled.text);
   listBlanks(filled, options.json);
   if (!options.json) fmt::print("Protocol saved: {}\n", options.out);
@@ -119,7 +119,7 @@ int listOrFillStudyTexts(const TextsArguments& options) {
     return listBlanks(study.protocol(), options.json);
   }
   auto study = Study::open(options.source);
-  const auto filled = filledIn(study.protocol(), options.set);
+  const auto filled = withFilledBlanks(study.protocol(), options.set);
   study.amend(filled, options.reason);
   listBlanks(filled, options.json);
   if (!options.json) fmt::print("New sessions show these texts from now on.\n");
@@ -127,8 +127,11 @@ int listOrFillStudyTexts(const TextsArguments& options) {
 }
 
 AddedCommand<TextsArguments> addTexts(
-    CLI::App& noun, Action& action, const char* help, int (*perform)(const TextsArguments&)) {
-  auto added = addCommand(noun, action, "texts", help, perform);
+    CLI::App& parentCommand,
+    Action& action,
+    const char* help,
+    int (*perform)(const TextsArguments&)) {
+  auto added = addCommand(parentCommand, action, "texts", help, perform);
   added.command
       ->add_option(
           "--set",
@@ -141,9 +144,9 @@ AddedCommand<TextsArguments> addTexts(
 
 }  // namespace
 
-void addProtocolTextsCommand(CLI::App& noun, Action& action) {
+void addProtocolTextsCommand(CLI::App& parentCommand, Action& action) {
   auto [verb, options] = addTexts(
-      noun,
+      parentCommand,
       action,
       "List the blanks in texts that participants read, or fill them in",
       listOrFillProtocolTexts);
@@ -151,9 +154,9 @@ void addProtocolTextsCommand(CLI::App& noun, Action& action) {
   verb->add_option("--out", options.out, "New file for the filled-in protocol")->type_name("FILE");
 }
 
-void addStudyTextsCommand(CLI::App& noun, Action& action) {
+void addStudyTextsCommand(CLI::App& parentCommand, Action& action) {
   auto [verb, options] = addTexts(
-      noun,
+      parentCommand,
       action,
       "List the blanks in a study's texts, or fill them in by an amendment",
       listOrFillStudyTexts);

@@ -36,7 +36,7 @@ struct Figure {
   bool isLogarithmic = false;  ///< of the axis of errors
 };
 
-using Measured = std::vector<Repeated>;
+using RepeatedMeasurements = std::vector<Repeated>;
 
 struct Family {
   const char* option;  ///< name on the command line and of its files
@@ -44,12 +44,13 @@ struct Family {
   const char* heading;
   const char* parameter;  ///< name of the parameter that varies
   void (*measure)(const AccuracyRun&);
-  bool isOnce;  ///< whether it is measured in one process only, because it is slow
+  bool isMeasuredOnce;  ///< whether it is measured in one process only, because it is slow
   std::vector<Figure> figures;
-  DataTable (*summary)(const Measured&) = nullptr;  ///< table that is shown before the measurements
+  DataTable (*summary)(const RepeatedMeasurements&) =
+      nullptr;  ///< table that is shown before the measurements
 };
 
-DataTable refreshTable(const Measured& all);
+DataTable refreshTable(const RepeatedMeasurements& all);
 
 const std::vector<Family>& families() {
   using enum Figure::Shows;
@@ -157,7 +158,7 @@ std::optional<report::ChartPoint> pointOf(const Measurement& m, const Figure& fi
   return report::ChartPoint{m.time->median, error, m.time->p99, parameter};
 }
 
-Chart chartOf(const Measured& all, const Family& family, const Figure& figure) {
+Chart chartOf(const RepeatedMeasurements& all, const Family& family, const Figure& figure) {
   const bool isOverTime = figure.shows == Figure::Shows::ErrorOverTime;
   const bool isTime = figure.shows == Figure::Shows::TimeOverParameter;
   constexpr const char* kTime = "time of a step [ns], median; bars to p99";
@@ -183,7 +184,7 @@ Chart chartOf(const Measured& all, const Family& family, const Figure& figure) {
   return chart;
 }
 
-DataTable tableOf(const Measured& all, const Family& family) {
+DataTable tableOf(const RepeatedMeasurements& all, const Family& family) {
   DataTable table{
       .name = family.option,
       .description = family.heading,
@@ -211,7 +212,7 @@ DataTable tableOf(const Measured& all, const Family& family) {
 
 /// Updates per second of the three renderings: on the punch paper's Arduino Due, on this computer,
 /// and the limit that the number of instructions sets on a Cortex-M3 at the Due's clock rate.
-DataTable refreshTable(const Measured& all) {
+DataTable refreshTable(const RepeatedMeasurements& all) {
   DataTable table{
       .name = "fig-12",
       .description = "Updates a second, force and mesh (Fig. 12 of the punch paper)",
@@ -241,7 +242,7 @@ DataTable refreshTable(const Measured& all) {
   return table;
 }
 
-report::Document reportOf(const Measured& all, const AccuracyOptions& options) {
+report::Document reportOf(const RepeatedMeasurements& all, const AccuracyOptions& options) {
   report::Document document{
       .title = "Error against run time",
       .lead = {fmt::format(
@@ -269,7 +270,7 @@ report::Document reportOf(const Measured& all, const AccuracyOptions& options) {
 }
 
 /// Measures the families that @p options name in this process.
-void measureHere(const AccuracyOptions& options, const AccuracyRun& run) {
+void measureInThisProcess(const AccuracyOptions& options, const AccuracyRun& run) {
   for (const auto& family : families()) {
     if (options.wants(family)) family.measure(run);
   }
@@ -300,12 +301,13 @@ void measureInProcess(
   }
 }
 
-Measured measure(const AccuracyOptions& options) {
+RepeatedMeasurements measure(const AccuracyOptions& options) {
   std::vector<Measurement> all;
   for (int process = 1; process <= options.processes; ++process) {
     std::vector<const Family*> wanted;
     for (const auto& family : families()) {
-      if (options.wants(family) && (!family.isOnce || process == 1)) wanted.push_back(&family);
+      if (options.wants(family) && (!family.isMeasuredOnce || process == 1))
+        wanted.push_back(&family);
     }
     if (wanted.empty()) break;
     std::string family;
@@ -318,13 +320,14 @@ Measured measure(const AccuracyOptions& options) {
       if (options.isShortRun) all.back().time.reset();
     };
     const AccuracyRun run{.report = keep, .isShortRun = options.isShortRun};
-    options.processes == 1 ? measureHere(options, run) : measureInProcess(options, wanted, run);
+    options.processes == 1 ? measureInThisProcess(options, run)
+                           : measureInProcess(options, wanted, run);
   }
   return haptics::bench::mergedOverProcesses(all);
 }
 
 /// Prints the errors that exceed their bounds. Returns whether no error does.
-bool areWithinBounds(const Measured& all) {
+bool areWithinBounds(const RepeatedMeasurements& all) {
   int bounded = 0;
   int failed = 0;
   for (const auto& r : all) {
@@ -352,7 +355,7 @@ int accuracy(AccuracyOptions options) {
       std::fputs((haptics::bench::asLine(m) + "\n").c_str(), stdout);
       std::fflush(stdout);
     };
-    measureHere(options, {.report = print, .isShortRun = options.isShortRun});
+    measureInThisProcess(options, {.report = print, .isShortRun = options.isShortRun});
     return 0;
   }
   if (options.isShortRun) options.processes = 1;  // errors are the same in all processes

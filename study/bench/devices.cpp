@@ -98,7 +98,7 @@ class EmulatedDevice {
   double rate() const noexcept { return rate_; }  ///< [Hz]
   devices::Device& device() { return *devices_.find(name_); }
 
-  void order(const std::string& line) {
+  void sendCommand(const std::string& line) {
     if (!emulator_->ask(line).starts_with("ok"))
       throw UserError("An emulator refused the command " + line);
   }
@@ -156,7 +156,7 @@ FrameFaults& operator+=(FrameFaults& a, const FrameFaults& b) {
 }
 
 /// The faults that the link detected. A damaged frame also counts as lost.
-FrameFaults foundBy(const devices::LinkReport& link) {
+FrameFaults faultsDetectedBy(const devices::LinkReport& link) {
   const auto number = [](std::uint64_t n) { return static_cast<std::int64_t>(n); };
   return {
       {number(link.lost) - number(link.damaged),
@@ -166,7 +166,7 @@ FrameFaults foundBy(const devices::LinkReport& link) {
 }
 
 /// Waits until samples arrive. Samples that are lost before the first one do not count.
-void settle(const EmulatedDevice& emulated) {
+void waitForSamples(const EmulatedDevice& emulated) {
   pauseFor(20.0 / emulated.rate());
 }
 
@@ -174,12 +174,12 @@ void settle(const EmulatedDevice& emulated) {
 class SupervisedLoop {
  public:
   enum class Start {
-    AsStudies,  ///< with normal priority, as in studies: on a loaded machine the thread may be
-                ///< delayed
-    Urgent,     ///< with real-time priority, if permitted
+    AsInStudies,  ///< with normal priority, as in studies: on a loaded machine the thread may be
+                  ///< delayed
+    Urgent,       ///< with real-time priority, if permitted
   };
 
-  explicit SupervisedLoop(EmulatedDevice& emulated, Start start = Start::AsStudies)
+  explicit SupervisedLoop(EmulatedDevice& emulated, Start start = Start::AsInStudies)
       : emulated_(emulated), start_(start) {
     series_ = {.device = emulated.name(), .rate = emulated.rate()};
     emulated_.device().open();
@@ -189,7 +189,7 @@ class SupervisedLoop {
   LinkLoop& loop() noexcept { return *loop_; }
 
   /// Must be called repeatedly. Returns true if the device had failed and was connected again.
-  bool reconnectIfOver() {
+  bool reconnectIfFailed() {
     if (!loop_->isOver()) return false;
     endRun();
     constexpr int kTries = 3;
@@ -216,7 +216,7 @@ class SupervisedLoop {
     loop_.emplace(emulated_.device());
     urgent.reset();
     sentBefore_ = emulated_.ask().sent;
-    settle(emulated_);
+    waitForSamples(emulated_);
   }
 
   void endRun() {
@@ -232,14 +232,14 @@ class SupervisedLoop {
   std::optional<LinkLoop> loop_;
 };
 
-constexpr double kSupervisionPeriod = 0.005;  // [s] between two calls of reconnectIfOver()
+constexpr double kSupervisionPeriod = 0.005;  // [s] between two calls of reconnectIfFailed()
 
 /// Lets all loops run for @p seconds.
 void superviseFor(double seconds, const std::vector<SupervisedLoop*>& all) {
   const std::int64_t until = timing::now() + static_cast<std::int64_t>(1e9 * seconds);
   while (timing::now() < until) {
     pauseFor(kSupervisionPeriod);
-    for (auto* one : all) one->reconnectIfOver();
+    for (auto* one : all) one->reconnectIfFailed();
   }
 }
 
@@ -278,7 +278,7 @@ void watchStall(EmulatedDevice& emulated, LinkLoop& loop, StallSeries& series) {
   pauseFor(0.05);
 }
 
-StallSeries stallAt(EmulatedDevice emulated, double milliseconds, int stalls) {
+StallSeries measureStalls(EmulatedDevice emulated, double milliseconds, int stalls) {
   std::fprintf(stderr, "%s, stalls of %g ms\n", emulated.name().c_str(), milliseconds);
   StallSeries series{.duration = milliseconds};
   SupervisedLoop supervised(emulated, SupervisedLoop::Start::Urgent);
@@ -307,7 +307,8 @@ void injectInRounds(EmulatedDevice& emulated, LinkLoop& loop, int wanted, int pe
   const auto begin = emulated.ask().injected;
   for (int done = 0; done < wanted && !loop.isOver();) {
     const int now = std::min(perRound, wanted - done);
-    for (const auto& name : FrameFaults::kNames) emulated.order(fmt::format("{} {}", name, now));
+    for (const auto& name : FrameFaults::kNames)
+      emulated.sendCommand(fmt::format("{} {}", name, now));
     done += now;
     const auto isDone = [&] {
       const auto of = (emulated.ask().injected - begin).of;
@@ -336,14 +337,14 @@ FaultCounts countFaults(EmulatedDevice emulated, int faults, int perRound) {
     std::optional<RealtimePriority> urgent(std::in_place);
     LinkLoop loop(emulated.device());
     urgent.reset();
-    settle(emulated);
+    waitForSamples(emulated);
     const auto before = emulated.ask().injected;
     injectInRounds(emulated, loop, now, perRound);
     const bool isWhole = !loop.isOver();
     const auto run = loop.finish();
     if (isWhole) {
       counts.injected += emulated.ask().injected - before;
-      counts.found += foundBy(run.link);
+      counts.found += faultsDetectedBy(run.link);
       done += now;
     } else if (++counts.repeated > kMostRepeated) {
       throw UserError("The link fails too often to count on it. " + run.fault);
@@ -395,8 +396,8 @@ DeviceMeasurement measureDevices(const DeviceBenchOptions& options) {
   if (isWanted("stalls")) {
     const int stalls = static_cast<int>(std::clamp(options.seconds / 4.0, 1.0, 10.0));
     for (const double duration : {5.0, 20.0, 50.0, 100.0}) {
-      measured.stalls.push_back(stallAt(EmulatedDevice::punch(1000), duration, stalls));
-      measured.stalls.push_back(stallAt(EmulatedDevice::arm(5), duration, stalls));
+      measured.stalls.push_back(measureStalls(EmulatedDevice::punch(1000), duration, stalls));
+      measured.stalls.push_back(measureStalls(EmulatedDevice::arm(5), duration, stalls));
     }
   }
   if (isWanted("rates")) {

@@ -53,7 +53,7 @@ class RawFile {
   RawFile(const RawFile&) = delete;
   RawFile& operator=(const RawFile&) = delete;
 
-  void keep(const std::vector<TraceSample>& chunk) {
+  void append(const std::vector<TraceSample>& chunk) {
     const std::size_t size = chunk.size() * sizeof(TraceSample);
     const bool isKept =
         write(file_, chunk.data(), size) == static_cast<ssize_t>(size) && fdatasync(file_) == 0;
@@ -83,7 +83,7 @@ std::vector<RecorderRun> compareRecorders(const std::string& folder, double seco
        [&](const auto& chunk) {
          store.add({SessionId{1}, 0, 1}, number++, chunk);
        }},
-      {{.method = "raw file, fdatasync a chunk"}, [&](const auto& chunk) { file.keep(chunk); }}};
+      {{.method = "raw file, fdatasync a chunk"}, [&](const auto& chunk) { file.append(chunk); }}};
   const auto chunk = chunkOfACut();
   double chunks = 0.0;
   for (const auto start = Clock::now(); haptics::timing::secondsSince(start) < seconds; ++chunks) {

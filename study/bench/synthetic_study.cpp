@@ -23,7 +23,7 @@ constexpr std::int64_t kSessionsPerTransaction = 10'000;  // sessions in one tra
 struct AskedItem {
   int step = 0;
   int order = 0;
-  const Step* where = nullptr;
+  const Step* plannedStep = nullptr;
   const questionnaires::Item* item = nullptr;
 };
 
@@ -37,7 +37,8 @@ struct Cohort {
 class Writer {
  public:
   explicit Writer(Study& study) : study_(study), loaded_(study.protocol()), random_(kSeed) {
-    for (const auto& cohort : loaded_.protocol.cohorts) cohorts_.push_back(planOf(cohort.id));
+    for (const auto& cohort : loaded_.protocol.cohorts)
+      cohorts_.push_back(cohortWithPlan(cohort.id));
   }
 
   /// @return the number of written answers, at most @p most
@@ -48,7 +49,7 @@ class Writer {
     int step = -1;
     for (const auto& asked : cohort.asked) {
       if (written == most) break;
-      if (asked.step != step) addStep(session, *asked.where, step = asked.step);
+      if (asked.step != step) addStep(session, *asked.plannedStep, step = asked.step);
       addAnswer(session, asked);
       ++written;
     }
@@ -56,7 +57,7 @@ class Writer {
   }
 
  private:
-  Cohort planOf(const std::string& id) {
+  Cohort cohortWithPlan(const std::string& id) {
     Cohort cohort{.id = id, .plan = {}, .asked = {}};
     cohort.plan = sessionPlan(
         loaded_.protocol, protocols::scheduleFor(loaded_.protocol, study_.seed(), id, 0));
@@ -100,13 +101,13 @@ class Writer {
         .bind(2, std::int64_t{asked.step})
         .bind(3, asked.item->id)
         .bind(4, std::int64_t{asked.order})
-        .bind(5, drawn(asked.where->condition));
+        .bind(5, drawAnswer(asked.plannedStep->condition));
     answer_.run();
   }
 
   /// A random point of the scale. The probabilities of the five points are fixed, with small
   /// differences between conditions.
-  std::int64_t drawn(const std::string& condition) {
+  std::int64_t drawAnswer(const std::string& condition) {
     constexpr std::array<int, 5> kUpToOfFirst{8, 20, 45, 78, 100};
     constexpr std::array<int, 5> kUpToOfOthers{12, 27, 54, 83, 100};
     const auto& upTo =
@@ -117,29 +118,29 @@ class Writer {
     return point;
   }
 
-  storage::Statement prepared(const std::string& sql) { return {study_.database(), sql}; }
+  storage::Statement prepare(const std::string& sql) { return {study_.database(), sql}; }
 
   Study& study_;
   const protocols::LoadedProtocol& loaded_;
   base::SplitMix64 random_;
   std::vector<Cohort> cohorts_;
-  storage::Statement participant_ = prepared(
+  storage::Statement participant_ = prepare(
       "INSERT INTO participant (id, code, cohort, run_mode, created_utc) VALUES "
       "(?, ?, ?, 'simulated', '2000-01-01T10:00:00.000Z')");
-  storage::Statement session_ = prepared(
+  storage::Statement session_ = prepare(
       "INSERT INTO session (id, participant_id, number, protocol_id, run_mode, cohort, language, "
       "slot, slot_state, state, step, attempt, app_version, started_utc, ended_utc, end_reason) "
       "VALUES (?, ?, 1, 1, 'simulated', ?, 'en', ?, 'consumed', 'completed', 0, 1, 'bench', "
       "'2000-01-01T10:00:00.000Z', '2000-01-01T10:20:00.000Z', '')");
-  storage::Statement step_ = prepared(
+  storage::Statement step_ = prepare(
       "INSERT INTO step (session_id, step, kind, phase, instrument, item_set, position, label) "
       "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
   storage::Statement allocation_ =
-      prepared("INSERT INTO allocation (session_id, step, condition) VALUES (?, ?, ?)");
-  storage::Statement visit_ = prepared(
+      prepare("INSERT INTO allocation (session_id, step, condition) VALUES (?, ?, ?)");
+  storage::Statement visit_ = prepare(
       "INSERT INTO visit (session_id, step, attempt, status, began_utc) "
       "VALUES (?, ?, 1, 'finished', '2000-01-01T10:00:00.000Z')");
-  storage::Statement answer_ = prepared(
+  storage::Statement answer_ = prepare(
       "INSERT INTO answer (session_id, step, attempt, item, item_order, kind, point, "
       "first_touch_s, response_s, changes, language, saved_utc) "
       "VALUES (?, ?, 1, ?, ?, 'point', ?, 1.5, 2.5, 0, 'en', '2000-01-01T10:00:00.000Z')");
@@ -159,12 +160,12 @@ std::int64_t writeSessions(Study& study, std::int64_t answers) {
 
 }  // namespace
 
-SyntheticStudy makeSyntheticStudy(const std::filesystem::path& inside, std::int64_t answers) {
+SyntheticStudy makeSyntheticStudy(const std::filesystem::path& parentFolder, std::int64_t answers) {
   questionnaires::Problems problems;
   const auto protocol = protocols::loadProtocolFile(kProtocol, problems);
   if (!protocol) throw std::logic_error(questionnaires::describe(problems.all()));
   SystemClock clock;
-  SyntheticStudy made{.folder = inside / "study"};
+  SyntheticStudy made{.folder = parentFolder / "study"};
   auto study = Study::create(made.folder, *protocol, clock, kSeed);
   made.sessions = writeSessions(study, answers);
   study.note(EventKind::Note, "SYNTHETIC: made by palpate bench stats; nobody took part");

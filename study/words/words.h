@@ -65,9 +65,9 @@ class Words {
       Number number, std::string_view one, std::string_view many, Args&&... args) const {
     const auto ofOne = (*this)(one);
     // look up both, so that a missing entry of either is reported
-    const auto ofMany = (*this)(many);
+    const auto manyPattern = (*this)(many);
     return fmt::format(
-        fmt::runtime(number == 1 ? ofOne : ofMany), number, std::forward<Args>(args)...);
+        fmt::runtime(number == 1 ? ofOne : manyPattern), number, std::forward<Args>(args)...);
   }
 
   /// The texts and keys of messages that were looked up and not found.

@@ -107,9 +107,9 @@ CLI::Option* addEmulateOptions(CLI::App& verb, EmulateArguments& options) {
   return seed;
 }
 
-void addEmulate(CLI::App& noun, Action& action) {
+void addEmulate(CLI::App& parentCommand, Action& action) {
   auto& emulate = addCommandGroup(
-      noun,
+      parentCommand,
       "emulate",
       "Emulate a device on its real interface; type 'help' while it runs to list faults to inject");
   for (const auto* kind : haptics::deviceKinds()) {
@@ -177,9 +177,9 @@ void addEmulate(CLI::App& noun, Action& action) {
   addEmulateOptions(*iiwa, options);
 }
 
-void addListen(CLI::App& noun, Action& action) {
+void addListen(CLI::App& parentCommand, Action& action) {
   auto [verb, options] = addCommand(
-      noun,
+      parentCommand,
       action,
       "listen",
       "Record the output of a punch whose Arduino runs the published program (sketch)",
@@ -194,9 +194,9 @@ void addListen(CLI::App& noun, Action& action) {
       ->check(CLI::PositiveNumber);
 }
 
-void addRehearse(CLI::App& noun, Action& action) {
+void addRehearse(CLI::App& parentCommand, Action& action) {
   auto [rehearse, options] = addCommand(
-      noun,
+      parentCommand,
       action,
       "rehearse",
       "Rehearse a study: emulate the protocol's devices, check them, run simulated participants",
@@ -232,13 +232,18 @@ void addDeviceFile(CLI::App& verb, DeviceArguments& options) {
 }  // namespace
 
 void addDeviceCommands(CLI::App& program, Action& action) {
-  auto& noun = addCommandGroup(program, "device", "List, check and emulate haptic devices");
+  auto& parentCommand =
+      addCommandGroup(program, "device", "List, check and emulate haptic devices");
   auto [list, listing] = addCommand(
-      noun, action, "list", "List serial ports, and the devices of a device file", app::list);
+      parentCommand,
+      action,
+      "list",
+      "List serial ports, and the devices of a device file",
+      app::list);
   addDeviceFile(*list, listing);
 
   auto [check, checking] = addCommand(
-      noun,
+      parentCommand,
       action,
       "check",
       "Check every device: PASS, WARN or FAIL, what was measured, and a fix",
@@ -256,9 +261,9 @@ void addDeviceCommands(CLI::App& program, Action& action) {
       ->capture_default_str();
   check->add_flag("--json", checking.json, "Print JSON");
 
-  addEmulate(noun, action);
-  addListen(noun, action);
-  addRehearse(noun, action);
+  addEmulate(parentCommand, action);
+  addListen(parentCommand, action);
+  addRehearse(parentCommand, action);
 }
 
 }  // namespace study::app

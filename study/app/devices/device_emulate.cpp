@@ -22,10 +22,10 @@ namespace {
 namespace emulators = haptics::emulators;
 namespace timing = haptics::timing;
 
-volatile std::sig_atomic_t isEnded = 0;
+volatile std::sig_atomic_t isStopRequested = 0;
 
 void end(int) {
-  isEnded = 1;
+  isStopRequested = 1;
 }
 
 void printLine(const std::string& line) {
@@ -47,7 +47,7 @@ void executeInput(
   bool hasInput = true;
   const std::int64_t until =
       seconds > 0.0 ? timing::now() + static_cast<std::int64_t>(1e9 * seconds) : INT64_MAX;
-  while (isEnded == 0 && timing::now() < until) {
+  while (isStopRequested == 0 && timing::now() < until) {
     pollfd watched{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
     constexpr int kPollPeriod = 50;  // [ms]: longest delay until a signal or the end of the time is
                                      // noticed

@@ -21,7 +21,7 @@ struct EmulateArguments {
   double clockDrift = 0.0;  ///< punch: drift of its clock [ppm]
   double seconds = 0.0;     ///< duration [s]; 0: until it is stopped
   bool endsWithInput = false;
-  unsigned seed = 1;  ///< of the hand's movement and of faults
+  unsigned seed = 1;  ///< seed of the random hand movement and of random faults
 };
 
 /// Emulates a serial device on a pseudo-terminal, or the arm's controller on UDP. Prints a line

@@ -67,7 +67,7 @@ class RehearsalFolder {
 
 /// Checks the emulated devices and prints the findings. Repeats the check if the computer stalled
 /// during it. Returns whether all checks passed.
-bool passCheck(
+bool runDeviceCheck(
     const std::string& deviceFile,
     const protocols::Protocol& protocol,
     const RehearseArguments& arguments,
@@ -143,14 +143,14 @@ std::vector<SimulatedSessionResult> runParticipants(
     const RehearseArguments& arguments,
     const std::string& deviceFile,
     haptics::timing::StandstillWatch& watch) {
-  const auto tell = [](const SimulationEvent& done) {
+  const auto printEvent = [](const SimulationEvent& done) {
     using Kind = SimulationEvent::Kind;
     if (done.kind == Kind::Answer || done.kind == Kind::Enrolment) return;
     fmt::print("{}\n", done.what);
     std::fflush(stdout);
   };
   auto endings = simulateCohorts(
-      study, clock, arguments.participants, arguments.seed, tell, deviceFile, &watch);
+      study, clock, arguments.participants, arguments.seed, printEvent, deviceFile, &watch);
   printLinks(study);
   return endings;
 }
@@ -163,15 +163,15 @@ int printVerdict(
     const haptics::timing::StandstillWatch& watch) {
   const bool isSound = verify(study).isSound();
   const std::string place = (fs::path(arguments.out) / "study").string();
-  const auto broken = std::find_if(endings.begin(), endings.end(), [](const auto& ending) {
+  const auto firstIncomplete = std::find_if(endings.begin(), endings.end(), [](const auto& ending) {
     return ending.state != SessionState::Completed;
   });
-  if (broken != endings.end()) {
+  if (firstIncomplete != endings.end()) {
     return failed(
         watch,
         fmt::format(
             "{} The study is {}{}.",
-            describe(*broken),
+            describe(*firstIncomplete),
             place,
             isSound ? "" : " and does NOT verify"));
   }
@@ -189,9 +189,9 @@ int printVerdict(
 
 }  // namespace
 
-RehearsalVerdict verdictOf(bool isPassed, std::chrono::milliseconds stoodStill) noexcept {
+RehearsalVerdict verdictOf(bool isPassed, std::chrono::milliseconds longestStall) noexcept {
   if (isPassed) return RehearsalVerdict::Passed;
-  return stoodStill < kDeviceTimeout ? RehearsalVerdict::Failed : RehearsalVerdict::Inconclusive;
+  return longestStall < kDeviceTimeout ? RehearsalVerdict::Failed : RehearsalVerdict::Inconclusive;
 }
 
 int rehearse(const RehearseArguments& arguments) {
@@ -203,7 +203,7 @@ int rehearse(const RehearseArguments& arguments) {
   for (const auto& device : emulated) entries.push_back(device.entry);
   std::ofstream(deviceFile) << devicesAsJson(entries);
   haptics::timing::StandstillWatch watch;
-  if (!passCheck(deviceFile.string(), protocol.protocol, arguments, watch)) {
+  if (!runDeviceCheck(deviceFile.string(), protocol.protocol, arguments, watch)) {
     return failed(
         watch,
         "the emulated devices did not pass their check. Nothing was recorded, and " +

@@ -22,8 +22,8 @@ enum class RehearsalVerdict {
   Inconclusive = 3,  ///< the computer stalled for longer than a device's timeout
 };
 
-/// The verdict of a rehearsal; @p stoodStill is the longest stall of the computer during it.
-RehearsalVerdict verdictOf(bool isPassed, std::chrono::milliseconds stoodStill) noexcept;
+/// The verdict of a rehearsal; @p longestStall is the longest stall of the computer during it.
+RehearsalVerdict verdictOf(bool isPassed, std::chrono::milliseconds longestStall) noexcept;
 
 /// Starts both emulators as processes, writes a device file for them, runs the checks of `device
 /// check`, and runs sessions of simulated participants in real time over the devices' real

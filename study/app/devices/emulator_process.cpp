@@ -31,14 +31,14 @@ void makePipe(std::array<int, 2>& ends) {
 
 EmulatorProcess::EmulatorProcess(const std::vector<std::string>& arguments) {
   start(arguments);
-  if (readLine(from_, ready_) && ready_.starts_with("ready ")) {
+  if (readLine(outputPipe_, ready_) && ready_.starts_with("ready ")) {
     ready_ = ready_.substr(6);
     return;
   }
   std::string why = ready_;
   end();
-  for (std::string line; readLine(errors_, line);) why += (why.empty() ? "" : "\n") + line;
-  ::close(errors_);
+  for (std::string line; readLine(errorPipe_, line);) why += (why.empty() ? "" : "\n") + line;
+  ::close(errorPipe_);
   constexpr std::string_view kName = "palpate: ";
   if (why.starts_with(kName)) why.erase(0, kName.size());
   throw UserError("The emulator of a device did not start" + (why.empty() ? "." : ": " + why));
@@ -68,20 +68,20 @@ void EmulatorProcess::start(const std::vector<std::string>& arguments) {
   ::close(in[0]);
   ::close(out[1]);
   ::close(errors[1]);
-  to_ = in[1];
-  from_ = out[0];
-  errors_ = errors[0];
+  inputPipe_ = in[1];
+  outputPipe_ = out[0];
+  errorPipe_ = errors[0];
   if (error != 0) id_ = -1;
 }
 
 EmulatorProcess::~EmulatorProcess() {
   end();
-  ::close(errors_);
+  ::close(errorPipe_);
 }
 
 void EmulatorProcess::end() noexcept {
-  ::close(to_);
-  ::close(from_);
+  ::close(inputPipe_);
+  ::close(outputPipe_);
   if (id_ <= 0) return;
   kill(id_, SIGTERM);
   waitpid(id_, nullptr, 0);
@@ -106,9 +106,9 @@ bool EmulatorProcess::readLine(int from, std::string& line) {
 
 std::string EmulatorProcess::ask(const std::string& line) {
   const std::string text = line + "\n";
-  if (write(to_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) return {};
+  if (write(inputPipe_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) return {};
   std::string answer;
-  return readLine(from_, answer) ? answer : std::string();
+  return readLine(outputPipe_, answer) ? answer : std::string();
 }
 
 std::string valueIn(std::string_view line, std::string_view key) {

@@ -16,7 +16,7 @@ namespace study::app {
 class EmulatorProcess {
  public:
   /// Starts the emulator and waits until it is ready.
-  /// @param arguments  those after "device emulate".
+  /// @param arguments  the command-line arguments that follow "device emulate".
   /// @throws UserError  if the emulator does not start; with its output.
   explicit EmulatorProcess(const std::vector<std::string>& arguments);
   ~EmulatorProcess();
@@ -37,9 +37,9 @@ class EmulatorProcess {
   bool readLine(int from, std::string& line);
 
   pid_t id_ = -1;
-  int to_ = -1;
-  int from_ = -1;
-  int errors_ = -1;
+  int inputPipe_ = -1;
+  int outputPipe_ = -1;
+  int errorPipe_ = -1;
   std::string buffer_;
   std::string ready_;
 };

@@ -26,7 +26,7 @@ struct ErasureArguments {
   ErasureRequest request;
   std::vector<std::string> otherCopies;
   std::vector<std::string> certificates;
-  std::string by;
+  std::string certificateToRepeat;
   bool setsPassphrase = false;
   std::string language = "en";  ///< language of certificates
 };
@@ -45,11 +45,12 @@ void write(
 }
 
 /// Repeats the erasures that a certificate lists in another copy of the study.
-int eraseBy(const ErasureArguments& options) {
-  const auto erasures = report::erasuresIn(base::readFile(options.by).value_or(""));
+int repeatErasures(const ErasureArguments& options) {
+  const auto erasures =
+      report::erasuresIn(base::readFile(options.certificateToRepeat).value_or(""));
   if (erasures.empty()) {
     throw UserError(
-        options.by +
+        options.certificateToRepeat +
         " is not the text of a certificate of erasure. 'palpate study erase "
         "--certificate FILE.txt' writes it.");
   }
@@ -62,12 +63,13 @@ int eraseBy(const ErasureArguments& options) {
     isOfThisStudy = true;
     fmt::print("{} is erased from {}.\n", erasure.participant, options.folder);
   }
-  if (!isOfThisStudy) throw UserError(options.by + " is of another study. Nothing was changed.");
+  if (!isOfThisStudy)
+    throw UserError(options.certificateToRepeat + " is of another study. Nothing was changed.");
   return 0;
 }
 
 int erase(ErasureArguments options) {
-  if (!options.by.empty()) return eraseBy(options);
+  if (!options.certificateToRepeat.empty()) return repeatErasures(options);
   if (options.request.participant.empty()) {
     throw UserError("Say who: --participant P001. 'palpate study names' finds the code.");
   }
@@ -124,9 +126,9 @@ int names(const ErasureArguments& options) {
 
 }  // namespace
 
-void addErasureCommands(CLI::App& noun, Action& action) {
+void addErasureCommands(CLI::App& parentCommand, Action& action) {
   auto [erase, erasure] = addCommand(
-      noun,
+      parentCommand,
       action,
       "erase",
       "Erase a participant: names, answers and traces; the audit trail stays valid",
@@ -167,18 +169,20 @@ void addErasureCommands(CLI::App& noun, Action& action) {
   erase->add_option("--language", erasure.language, "Language of certificates")
       ->check(CLI::IsMember(words::languages()))
       ->capture_default_str();
-  auto* by = erase
-                 ->add_option(
-                     "--by",
-                     erasure.by,
-                     "Repeat in FOLDER, a copy of the study, the erasure that this certificate "
-                     "(.txt) of another copy records")
-                 ->type_name("FILE");
+  auto* certificateToRepeat =
+      erase
+          ->add_option(
+              "--by",
+              erasure.certificateToRepeat,
+              "Repeat in FOLDER, a copy of the study, the erasure that this certificate "
+              "(.txt) of another copy records")
+          ->type_name("FILE");
   // A certificate says what is erased, from whom and why.
-  for (auto* option : {participant, level, reason, reseal, also, certificate}) by->excludes(option);
+  for (auto* option : {participant, level, reason, reseal, also, certificate})
+    certificateToRepeat->excludes(option);
 
   auto [names, naming] =
-      addCommand(noun, action, "names", "List names by participant code", app::names);
+      addCommand(parentCommand, action, "names", "List names by participant code", app::names);
   addStudyFolder(*names, naming.folder);
   auto* sets = names->add_flag(
       "--set-passphrase",

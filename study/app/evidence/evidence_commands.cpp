@@ -113,14 +113,14 @@ void addNewWitness(CLI::App& verb, EvidenceArguments& options) {
       ->type_name("FILE");
 }
 
-void addTimeStampCommand(CLI::App& noun, Action& action) {
+void addTimeStampCommand(CLI::App& parentCommand, Action& action) {
   auto [verb, options] = addCommand(
-      noun,
+      parentCommand,
       action,
       "timestamp",
       "Have an outside authority certify when the audit trail existed (RFC 3161), online or by "
       "files",
-      timestamp);
+      requestTimeStamp);
   addStudyFolder(*verb, options.folder);
   verb->add_option(
           "--authority",
@@ -148,9 +148,9 @@ void addTimeStampCommand(CLI::App& noun, Action& action) {
 
 }  // namespace
 
-void addEvidenceCommands(CLI::App& noun, Action& action) {
+void addEvidenceCommands(CLI::App& parentCommand, Action& action) {
   auto [backup, copying] = addCommand(
-      noun,
+      parentCommand,
       action,
       "backup",
       "Back up a study, also during sessions, and verify the copy",
@@ -162,7 +162,7 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
   addNewWitness(*backup, copying);
 
   auto [verify, verifying] = addCommand(
-      noun,
+      parentCommand,
       action,
       "verify",
       "Check that no stored data was changed, lost or damaged",
@@ -194,10 +194,10 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
       verifying.isOlderCopy,
       "The folder is an older backup: events that this computer signed later may be missing");
 
-  addTimeStampCommand(noun, action);
+  addTimeStampCommand(parentCommand, action);
 
   auto [restored, noting] = addCommand(
-      noun,
+      parentCommand,
       action,
       "restored",
       "Record that this folder was replaced on purpose by another copy, so that 'verify' accepts "

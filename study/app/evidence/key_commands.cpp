@@ -53,7 +53,7 @@ int passphrase(const KeyArguments& options) {
   return 0;
 }
 
-int drop(const KeyArguments& options) {
+int removeKey(const KeyArguments& options) {
   auto study = Study::open(options.folder);
   dropKey(study, options.reason);
   fmt::print("This account no longer has the key of {}.\n", options.folder);
@@ -63,12 +63,12 @@ int drop(const KeyArguments& options) {
 }  // namespace
 
 void addKeyCommands(CLI::App& study, Action& action) {
-  auto& noun = addCommandGroup(
+  auto& parentCommand = addCommandGroup(
       study,
       "key",
       "Manage the study's key (blinding key), which encrypts which alternative is which condition");
   const auto add = [&](const char* name, const char* help, int (*perform)(const KeyArguments&)) {
-    auto added = addCommand(noun, action, name, help, perform);
+    auto added = addCommand(parentCommand, action, name, help, perform);
     addStudyFolder(*added.command, added.options.folder);
     return added;
   };
@@ -87,7 +87,7 @@ void addKeyCommands(CLI::App& study, Action& action) {
       add("drop",
           "Remove the key from your account on this computer, once it has been exported or has a "
           "passphrase",
-          drop);
+          removeKey);
   addAuditedReason(*gone, dropping.reason)->required();
 }
 

@@ -56,10 +56,10 @@ ProcessOutput run(std::vector<std::string> texts) {
   const int error = posix_spawnp(&id, words.front(), &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   ::close(ends[1]);
-  ProcessOutput ran;
+  ProcessOutput process;
   std::array<char, 4096> buffer{};
   for (ssize_t size = 0; (size = ::read(ends[0], buffer.data(), buffer.size())) > 0;) {
-    ran.output.append(buffer.data(), static_cast<std::size_t>(size));
+    process.output.append(buffer.data(), static_cast<std::size_t>(size));
   }
   ::close(ends[0]);
   if (error != 0) {
@@ -69,8 +69,8 @@ ProcessOutput run(std::vector<std::string> texts) {
   }
   int status = 0;
   waitpid(id, &status, 0);
-  ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return ran;
+  process.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return process;
 }
 
 /// Writes a file for openssl to a temporary folder. @return  its path
@@ -92,7 +92,7 @@ std::string contentOf(const std::string& path) {
 /// Writes a request for a time stamp, which contains the SHA-256 of the head's line.
 void writeRequest(
     const TemporaryFolder& scratch, const std::string& head, const std::string& path) {
-  const auto ran = run(
+  const auto process = run(
       {"openssl",
        "ts",
        "-query",
@@ -103,7 +103,8 @@ void writeRequest(
        "-cert",
        "-out",
        path});
-  if (ran.status != 0) throw UserError("openssl could not write the request:\n" + ran.output);
+  if (process.status != 0)
+    throw UserError("openssl could not write the request:\n" + process.output);
 }
 
 /// The unverified time in a reply; std::nullopt if the reply is not a time stamp.
@@ -141,7 +142,7 @@ VerifiedTimeStamp verifyReply(
   const auto time = timeIn(file);
   if (!time) return {.utc = {}, .whyNot = "it is not an authority's reply with a time stamp"};
   // The certificate is verified for the time of the stamp, because it may have expired since.
-  const auto ran = run(
+  const auto process = run(
       {"openssl",
        "ts",
        "-verify",
@@ -153,9 +154,9 @@ VerifiedTimeStamp verifyReply(
        certificate,
        "-attime",
        std::to_string(*time)});
-  if (ran.status != 0) {
-    const auto end = ran.output.find('\n', ran.output.find("error:"));
-    return {.utc = {}, .whyNot = "openssl says " + ran.output.substr(0, end)};
+  if (process.status != 0) {
+    const auto end = process.output.find('\n', process.output.find("error:"));
+    return {.utc = {}, .whyNot = "openssl says " + process.output.substr(0, end)};
   }
   std::tm parts{};
   gmtime_r(&*time, &parts);
@@ -164,7 +165,7 @@ VerifiedTimeStamp verifyReply(
   return {.utc = {text.data(), size}};
 }
 
-std::string signedNow(Study& study) {
+std::string signedHead(Study& study) {
   study.transact([&] { study.signTrail(kPurpose); });
   const storage::TrailHeads trail(study.database());
   const bool isSigned = !trail.all().empty() && trail.all().back().seq == trail.lastEvent();
@@ -182,34 +183,34 @@ void requireCertificate(const std::string& certificate) {
       "--authority-certificate FILE.pem");
 }
 
-void keep(
+void storeTimeStamp(
     Study& study,
     const std::string& head,
     const std::string& reply,
-    const VerifiedTimeStamp& proven) {
+    const VerifiedTimeStamp& timeStamp) {
   study.note(
       {.kind = EventKind::TimeStamped,
        .values = {
            {"head", head},
-           {"utc", proven.utc},
+           {"utc", timeStamp.utc},
            {"reply", storage::inBase64(std::as_bytes(std::span(reply)))}}});
   fmt::print(
       "The authority saw the head of the audit trail on {}: all before it was there then. The time "
       "stamp is kept in {}.\n",
-      proven.utc,
+      timeStamp.utc,
       study.folder().string());
 }
 
-int keepReply(Study& study, const TimeStampArguments& options) {
+int storeReply(Study& study, const TimeStampArguments& options) {
   const auto reply = contentOf(options.reply);
   const storage::TrailHeads trail(study.database());
   std::string whyNot = "no request was made here";
   for (const auto& each : trail.all()) {
     if (each.head.purpose != kPurpose) continue;
-    const auto proven = verifyReply(each.head.asLine(), reply, options.certificate);
-    whyNot = proven.whyNot;
-    if (proven.utc.empty()) continue;
-    keep(study, each.head.asLine(), reply, proven);
+    const auto timeStamp = verifyReply(each.head.asLine(), reply, options.certificate);
+    whyNot = timeStamp.whyNot;
+    if (timeStamp.utc.empty()) continue;
+    storeTimeStamp(study, each.head.asLine(), reply, timeStamp);
     return 0;
   }
   throw UserError(options.reply + " answers no request of this study: " + whyNot);
@@ -230,7 +231,7 @@ std::string replyIn(const storage::Event& event) {
 
 }  // namespace
 
-int timestamp(const TimeStampArguments& options) {
+int requestTimeStamp(const TimeStampArguments& options) {
   const int ways = static_cast<int>(!options.authority.empty()) +
                    static_cast<int>(!options.request.empty()) +
                    static_cast<int>(!options.reply.empty());
@@ -238,9 +239,9 @@ int timestamp(const TimeStampArguments& options) {
     throw UserError("Give exactly one of --authority URL, --request FILE and --reply FILE.");
   auto study = Study::open(options.folder);
   if (options.request.empty()) requireCertificate(options.certificate);
-  if (!options.reply.empty()) return keepReply(study, options);
+  if (!options.reply.empty()) return storeReply(study, options);
   const TemporaryFolder scratch;
-  const auto head = signedNow(study);
+  const auto head = signedHead(study);
   const auto request = (scratch / "request").string();
   writeRequest(scratch, head, request);
   if (!options.request.empty()) {
@@ -255,7 +256,7 @@ int timestamp(const TimeStampArguments& options) {
     return 0;
   }
   const auto answer = (scratch / "reply").string();
-  const auto ran = run(
+  const auto process = run(
       {"curl",
        "--silent",
        "--show-error",
@@ -272,17 +273,17 @@ int timestamp(const TimeStampArguments& options) {
        answer,
        "--url",
        options.authority});
-  if (ran.status != 0) {
+  if (process.status != 0) {
     throw UserError(
-        options.authority + " gave no time stamp: " + ran.output +
+        options.authority + " gave no time stamp: " + process.output +
         "Without a network, --request FILE and --reply FILE do the same.");
   }
   const auto reply = contentOf(answer);
-  const auto proven = verifyReply(head, reply, options.certificate);
-  if (proven.utc.empty()) {
-    throw UserError("What " + options.authority + " answered is not kept: " + proven.whyNot);
+  const auto timeStamp = verifyReply(head, reply, options.certificate);
+  if (timeStamp.utc.empty()) {
+    throw UserError("What " + options.authority + " answered is not kept: " + timeStamp.whyNot);
   }
-  keep(study, head, reply, proven);
+  storeTimeStamp(study, head, reply, timeStamp);
   return 0;
 }
 
@@ -297,15 +298,16 @@ void checkTimeStamps(Study& study, const std::string& certificate, Verification&
     if (certificate.empty()) continue;
     const auto line = textOf(event, "head");
     const auto head = storage::headIn(line);
-    const auto proven = verifyReply(line, replyIn(event), certificate);
+    const auto timeStamp = verifyReply(line, replyIn(event), certificate);
     if (!head || !trail.holds(*head)) {
       check.problems.push_back(
           "a head that was stamped on " + textOf(event, "utc") + " is not in the trail");
-    } else if (proven.utc.empty()) {
+    } else if (timeStamp.utc.empty()) {
       check.problems.push_back(
-          fmt::format("the one of {} events: {}", head->events, proven.whyNot));
+          fmt::format("the one of {} events: {}", head->events, timeStamp.whyNot));
     } else {
-      check.remarks.push_back(fmt::format("{} events were there on {}", head->events, proven.utc));
+      check.remarks.push_back(
+          fmt::format("{} events were there on {}", head->events, timeStamp.utc));
     }
   }
   if (stamps == 0 && certificate.empty()) return;

@@ -23,7 +23,7 @@ struct TimeStampArguments {
 /// reply to an earlier request. A reply that is valid for the certificate is stored in the audit
 /// trail. Returns the exit status, 0.
 /// @throws UserError  if a file, the authority or a program fails, or the reply is not valid
-int timestamp(const TimeStampArguments& options);
+int requestTimeStamp(const TimeStampArguments& options);
 
 /// Verifies all time stamps in the audit trail and adds the results to @p verification. Without a
 /// certificate it only adds their number. Adds nothing if the trail has no time stamp.

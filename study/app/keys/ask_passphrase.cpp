@@ -18,26 +18,26 @@ namespace {
 /// Switches the terminal's echo off while the object exists.
 class WithoutEcho {
  public:
-  WithoutEcho() : isTerminal_(tcgetattr(STDIN_FILENO, &before_) == 0) {
+  WithoutEcho() : isTerminal_(tcgetattr(STDIN_FILENO, &settingsBefore_) == 0) {
     if (!isTerminal_) return;
-    termios silent = before_;
+    termios silent = settingsBefore_;
     silent.c_lflag &= ~static_cast<tcflag_t>(ECHO);
     silent.c_lflag |= ECHONL;
     tcsetattr(STDIN_FILENO, TCSAFLUSH, &silent);
   }
   ~WithoutEcho() {
-    if (isTerminal_) tcsetattr(STDIN_FILENO, TCSAFLUSH, &before_);
+    if (isTerminal_) tcsetattr(STDIN_FILENO, TCSAFLUSH, &settingsBefore_);
   }
   WithoutEcho(const WithoutEcho&) = delete;
   WithoutEcho& operator=(const WithoutEcho&) = delete;
 
  private:
-  termios before_{};
+  termios settingsBefore_{};
   bool isTerminal_;
 };
 
 /// Prints @p question and reads a line without echo; empty if nothing was typed.
-std::string typedAt(const std::string& question) {
+std::string typedAnswer(const std::string& question) {
   fmt::print(stderr, "{}: ", question);
   std::fflush(stderr);
   const WithoutEcho quiet;
@@ -51,7 +51,7 @@ std::string typedAt(const std::string& question) {
 bool unlock(const std::string& question, const std::function<bool(const std::string&)>& opens) {
   constexpr int kTries = 3;
   for (int i = 0; i < kTries; ++i) {
-    const auto typed = typedAt(question);
+    const auto typed = typedAnswer(question);
     if (typed.empty()) return false;
     if (opens(typed)) return true;
     fmt::print(stderr, "This is not the passphrase.\n");
@@ -66,7 +66,7 @@ void requireTyped(bool isTyped) {
 }  // namespace
 
 std::string askPassphrase(const std::string& question) {
-  auto typed = typedAt(question);
+  auto typed = typedAnswer(question);
   requireTyped(!typed.empty());
   return typed;
 }

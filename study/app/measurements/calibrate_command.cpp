@@ -24,7 +24,7 @@ namespace {
 
 namespace recordings = haptics::recordings;
 
-struct CalibrateCommand {
+struct CalibrateArguments {
   std::string file;
   std::string out;
   std::string report;
@@ -50,7 +50,7 @@ std::string polynomialOf(const recordings::ForceCalibration& calibration) {
 }
 
 /// The residuals of polynomials of each order that the number of loads allows.
-DataTable ordersOf(const recordings::CalibrationTable& table, bool throughZero) {
+DataTable orderTable(const recordings::CalibrationTable& table, bool throughZero) {
   DataTable orders{
       .name = "orders",
       .description = "Other orders, to compare with.",
@@ -104,7 +104,7 @@ void print(
 }
 
 /// @throws UserError  if the name is not allowed in a calibration file.
-void requireName(const std::string& name) {
+void requireAllowedName(const std::string& name) {
   const auto isPlain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || c == '.';
@@ -116,15 +116,15 @@ void requireName(const std::string& name) {
       name));
 }
 
-int calibrate(const CalibrateCommand& command) {
-  requireName(command.name);
+int calibrate(const CalibrateArguments& command) {
+  requireAllowedName(command.name);
   const std::string text = recordings::contentOfRecording(command.file);
   const std::filesystem::path path(command.file);
   const auto table =
       recordings::readCalibrationTable(text, path.filename().string(), command.columns);
   auto fit = recordings::fitCalibration(table, command.order, command.throughZero);
   fit.calibration.name = command.name;
-  const auto orders = ordersOf(table, command.throughZero);
+  const auto orders = orderTable(table, command.throughZero);
   print(table, fit, orders);
   if (!command.out.empty()) {
     writeNewFile(
@@ -142,9 +142,9 @@ int calibrate(const CalibrateCommand& command) {
 
 }  // namespace
 
-void addCalibrateCommand(CLI::App& noun, Action& action) {
+void addCalibrateCommand(CLI::App& parentCommand, Action& action) {
   auto [verb, command] = addCommand(
-      noun,
+      parentCommand,
       action,
       "calibrate",
       "Fit a polynomial to readings of a force sensor under known loads",

@@ -30,12 +30,12 @@ std::vector<double> feedsUpTo(double most) {
   return feeds;
 }
 
-Cell orNothing(double value) {
+Cell cellOrEmpty(double value) {
   return std::isfinite(value) ? Cell(value) : Cell(std::monostate());
 }
 
 /// The force of the fitted curve at @p depth [m], interpolated linearly [N].
-double wantedAt(const reaming::CurveFit& curve, double depth) {
+double curveForceAt(const reaming::CurveFit& curve, double depth) {
   return reaming::forceAt({.depth = curve.depths, .force = curve.wanted, .stop = {}}, depth);
 }
 
@@ -75,11 +75,11 @@ std::vector<Cell> rowOf(
     const Wanted& wanted) {
   std::vector<Cell> row{curve, kMillimetres * feed};
   for (const double depth : kDepths) {
-    row.push_back(orNothing(reaming::forceAt(result, depth)));
-    row.push_back(orNothing(wanted(depth)));
+    row.push_back(cellOrEmpty(reaming::forceAt(result, depth)));
+    row.push_back(cellOrEmpty(wanted(depth)));
   }
   for (const double value : {result.removed, result.removedShare, result.unaccounted}) {
-    row.push_back(orNothing(value));
+    row.push_back(cellOrEmpty(value));
   }
   return row;
 }
@@ -150,8 +150,8 @@ DataTable feedTable(
            .largestForce = 1e6,
            .mostFeed = reamer.mostFeed(),
            .cuttingDamping = reamer.cuttingDampingOf(reaming::BoneOptions().cuttingDamping)});
-      table.rows.push_back(
-          rowOf(curve.curve, feed, result, [&](double depth) { return wantedAt(curve, depth); }));
+      table.rows.push_back(rowOf(
+          curve.curve, feed, result, [&](double depth) { return curveForceAt(curve, depth); }));
     }
     h += 0.5;
   }

@@ -15,7 +15,7 @@ inline constexpr double kMillimetres = 1000.0;  ///< mm per m
 /// Every n-th of @p count points, at most @p most in all, so that a figure of 200,000 samples can
 /// be opened.
 template <typename X, typename Y>
-report::ChartSeries thinned(
+report::ChartSeries thinnedSeries(
     const std::string& title, std::size_t count, X x, Y y, std::size_t most = 3000) {
   report::ChartSeries series{.title = title};
   const std::size_t stride = count / most + 1;
@@ -29,7 +29,7 @@ inline report::ChartSeries lineOf(
     const haptics::reaming::SampledCurve& curve,
     double scale,
     std::size_t most = 3000) {
-  return thinned(
+  return thinnedSeries(
       title,
       curve.size(),
       [&](std::size_t i) { return scale * curve.x[i]; },

@@ -21,7 +21,7 @@ namespace {
 
 namespace reaming = haptics::reaming;
 
-struct FitCommand {
+struct FitArguments {
   MaterialInputs inputs;
   std::string out;
   std::string report;
@@ -29,16 +29,16 @@ struct FitCommand {
   std::string title = "A reaming material";
 };
 
-/// Warns if the curve of a harder bone is below that of a softer one by more than @p felt [N, N·m]
-/// at some depth, and names the option that prevents this.
+/// Warns if the curve of a harder bone is below that of a softer one by more than @p
+/// perceptibleDifference [N, N·m] at some depth, and names the option that prevents this.
 void warnOfCrossings(
     const reaming::FittedEnvelope& envelope,
     const char* quantity,
-    double felt,
+    double perceptibleDifference,
     const reaming::FitOptions& options) {
   if (envelope.isOrdered) return;
   std::string where;
-  for (const auto& crossing : reaming::crossingsOf(envelope, felt)) {
+  for (const auto& crossing : reaming::crossingsOf(envelope, perceptibleDifference)) {
     where += fmt::format(
         "{}{:.1f} to {:.1f} mm", where.empty() ? "" : ", ", 1e3 * crossing.from, 1e3 * crossing.to);
   }
@@ -109,7 +109,7 @@ void requireSmallErrors(const reaming::MaterialFit& fit, const reaming::FitOptio
 }
 
 /// @throws UserError  if the engine cannot render the material that is to be written.
-void requireRenderable(const FitCommand& command, const reaming::FitOptions& options) {
+void requireRenderable(const FitArguments& command, const reaming::FitOptions& options) {
   if (command.out.empty()) return;
   if (options.axis != reaming::DepthAxis::Depth) {
     throw UserError(
@@ -124,8 +124,8 @@ void requireRenderable(const FitCommand& command, const reaming::FitOptions& opt
   }
 }
 
-int fit(FitCommand& command) {
-  const auto options = command.inputs.chosen();
+int fit(FitArguments& command) {
+  const auto options = command.inputs.fitOptions();
   requireRenderable(command, options);
   const auto read = readAll(command.inputs);
   const auto result = reaming::fitMaterial(read.series, options);
@@ -156,9 +156,9 @@ int fit(FitCommand& command) {
   return 0;
 }
 
-void addFit(CLI::App& noun, Action& action) {
+void addFit(CLI::App& parentCommand, Action& action) {
   auto [verb, command] = addCommand(
-      noun,
+      parentCommand,
       action,
       "fit",
       "Fit a material to measured series of force and torque, and write it as a file",
@@ -170,7 +170,7 @@ void addFit(CLI::App& noun, Action& action) {
   verb->add_option("--title", command.title, "Title shown in reports")->capture_default_str();
 }
 
-struct CompareCommand {
+struct CompareArguments {
   MaterialInputs inputs;
   std::string curve = "dynamic-1/force/maximum";
   std::string report;
@@ -183,8 +183,8 @@ std::string namesOf(const std::vector<NamedCurve>& curves) {
   return names;
 }
 
-int compare(CompareCommand& command) {
-  const auto options = command.inputs.chosen();
+int compare(CompareArguments& command) {
+  const auto options = command.inputs.fitOptions();
   auto figure = optionsForFigure7(options);
   const auto& given = *command.inputs.command;
   if (given.count("--error") > 0 || given.count("--nodes") > 0)
@@ -218,9 +218,9 @@ int compare(CompareCommand& command) {
   return 0;
 }
 
-void addCompare(CLI::App& noun, Action& action) {
+void addCompare(CLI::App& parentCommand, Action& action) {
   auto [verb, command] = addCommand(
-      noun,
+      parentCommand,
       action,
       "compare",
       "Compare natural cubic and Hermite splines through the same nodes (reaming paper, Fig. 7)",
@@ -238,12 +238,12 @@ void addCompare(CLI::App& noun, Action& action) {
   addReportFolder(*verb, command.report, "the figure");
 }
 
-struct SynthesiseCommand {
+struct SynthesiseArguments {
   std::string folder;
   std::uint64_t seed = 1;
 };
 
-int synthesise(const SynthesiseCommand& command) {
+int synthesise(const SynthesiseArguments& command) {
   const std::filesystem::path folder(command.folder);
   if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder)) {
     throw UserError("'" + command.folder + "' is not empty. Choose a folder that is new.");
@@ -262,9 +262,9 @@ int synthesise(const SynthesiseCommand& command) {
   return 0;
 }
 
-void addSynthesise(CLI::App& noun, Action& action) {
+void addSynthesise(CLI::App& parentCommand, Action& action) {
   auto [verb, command] = addCommand(
-      noun,
+      parentCommand,
       action,
       "synthesise",
       "Write synthetic series with the published properties, for trying things out",
@@ -277,13 +277,13 @@ void addSynthesise(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addMaterialCommands(CLI::App& program, Action& action) {
-  auto& noun = addCommandGroup(
+  auto& parentCommand = addCommandGroup(
       program,
       "material",
       "Fit reaming materials to measured series of force and torque (docs/reaming.md)");
-  addFit(noun, action);
-  addCompare(noun, action);
-  addSynthesise(noun, action);
+  addFit(parentCommand, action);
+  addCompare(parentCommand, action);
+  addSynthesise(parentCommand, action);
 }
 
 }  // namespace study::app

@@ -35,7 +35,7 @@ constexpr int kFewestNodes = 2;
 constexpr int kMostNodes = 200;
 
 /// Splits texts such as "force=Kraft" at the equals sign.
-std::map<std::string, std::string> pairs(const std::vector<std::string>& words) {
+std::map<std::string, std::string> pairsIn(const std::vector<std::string>& words) {
   std::map<std::string, std::string> result;
   for (const auto& word : words) {
     const auto equals = word.find('=');
@@ -170,7 +170,7 @@ void MaterialInputs::addTo(CLI::App& verb) {
       "Mark these series as synthetic (not measured), even if their files do not");
 }
 
-reaming::FitOptions MaterialInputs::chosen() const {
+reaming::FitOptions MaterialInputs::fitOptions() const {
   auto result = options;
   result.axis = named(axis, kAxes);
   result.cutoffRule = named(cutoffRule, kCutoffRules);
@@ -194,9 +194,9 @@ reaming::FitOptions MaterialInputs::chosen() const {
   return result;
 }
 
-ReadSeries readAll(const MaterialInputs& inputs) {
-  const reaming::SeriesMapping mapping{pairs(inputs.columns), pairs(inputs.units)};
-  ReadSeries all;
+SeriesWithSources readAll(const MaterialInputs& inputs) {
+  const reaming::SeriesMapping mapping{pairsIn(inputs.columns), pairsIn(inputs.units)};
+  SeriesWithSources all;
   for (const TestSet set : {TestSet::Static, TestSet::Dynamic1, TestSet::Dynamic2}) {
     for (const auto& file : inputs.files[static_cast<std::size_t>(set)]) {
       all.series.push_back(reaming::readSeriesFile(file, set, mapping));

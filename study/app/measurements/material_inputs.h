@@ -30,17 +30,17 @@ struct MaterialInputs {
   void addTo(CLI::App& verb);
 
   /// The options of a fit. @throws UserError  if two options exclude each other.
-  haptics::reaming::FitOptions chosen() const;
+  haptics::reaming::FitOptions fitOptions() const;
 };
 
 /// The measurement series of all test sets.
-struct ReadSeries {
+struct SeriesWithSources {
   std::vector<haptics::reaming::Series> series;
   std::vector<protocols::MaterialSource> sources;  ///< one for each series
   bool isSynthetic = false;                        ///< whether at least one series is synthetic
 };
 
 /// @throws UserError  if no file was given, or if a file is no valid series.
-ReadSeries readAll(const MaterialInputs& inputs);
+SeriesWithSources readAll(const MaterialInputs& inputs);
 
 }  // namespace study::app

@@ -213,7 +213,7 @@ std::string describeAxis(const reaming::TestSetFit& set, const reaming::FitOptio
 }
 
 /// Whether a scene can render the curves of a test set by reaming.
-bool isReamed(const reaming::TestSetFit& set, const reaming::FitOptions& options) {
+bool isReamable(const reaming::TestSetFit& set, const reaming::FitOptions& options) {
   return set.set != reaming::TestSet::Static && options.axis == reaming::DepthAxis::Depth &&
          options.spline != reaming::SplineKind::Linear;
 }
@@ -223,7 +223,7 @@ reaming::HardnessCurves curvesOf(const reaming::FittedEnvelope& envelope) {
       envelope.minimum.spline.nodes, envelope.average.spline.nodes, envelope.maximum.spline.nodes};
 }
 
-report::DocumentPart setPart(
+report::DocumentPart testSetPart(
     const std::vector<reaming::Series>& series,
     const reaming::MaterialFit& fit,
     const reaming::TestSetFit& set,
@@ -248,7 +248,7 @@ report::DocumentPart setPart(
     part.tables.push_back(envelopeTable(set, quantity, column, envelope, options));
   };
   part.tables.push_back(specimenTable(set));
-  if (isReamed(set, options)) {
+  if (isReamable(set, options)) {
     auto feeds = feedTable(curvesOf(set.force), middleCurveNameOf(options.envelope));
     feeds.name += "-" + name;
     part.tables.push_back(std::move(feeds));
@@ -320,7 +320,7 @@ report::DocumentPart splineComparisonPart(
   const auto percent = [](double share) { return fmt::format("{:.3g} %", 100.0 * share); };
   for (const auto& spline : comparison.splines) {
     const std::string name(protocols::nameOf(spline.kind));
-    auto line = thinned(
+    auto line = thinnedSeries(
         name,
         data.size(),
         [&](std::size_t i) { return kMillimetres * data.x[i]; },
@@ -374,7 +374,7 @@ report::Document materialReport(
         "more.");
   }
   document.parts.push_back({.heading = "Series", .tables = {seriesTable(fit)}});
-  for (const auto& set : fit.sets) document.parts.push_back(setPart(series, fit, set, options));
+  for (const auto& set : fit.sets) document.parts.push_back(testSetPart(series, fit, set, options));
   const auto curves = curvesOf(fit, options);
   document.parts.push_back({.heading = "Errors", .tables = {errorTable(curves)}});
   for (const auto& curve : curves) {

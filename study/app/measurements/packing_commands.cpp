@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr double kMillimetre = 0.001;
 
-struct BuildCommand {
+struct BuildArguments {
   std::string mesh;
   std::string unit;
   std::string out;
@@ -54,7 +54,7 @@ std::string checkedEnding(const std::string& path) {
   return path;
 }
 
-std::unique_ptr<reaming::Solid> bodyOf(const BuildCommand& command) {
+std::unique_ptr<reaming::Solid> bodyOf(const BuildArguments& command) {
   if (command.mesh.empty()) return std::make_unique<reaming::Acetabulum>();
   auto body = readBody(command.mesh, command.unit);
   for (const auto& remark : body.remarks) fmt::print(stderr, "{}: {}\n", command.mesh, remark);
@@ -78,7 +78,7 @@ bool printPackingProgress(const reaming::PackingProgress& progress, double& last
   return true;
 }
 
-int buildPacking(BuildCommand& command) {
+int buildPacking(BuildArguments& command) {
   checkedEnding(command.out);
   auto& options = command.options;
   if (command.smallest) options.smallestRadius = kMillimetre * *command.smallest;
@@ -128,9 +128,9 @@ int buildPacking(BuildCommand& command) {
   return 0;
 }
 
-void addBuildPacking(CLI::App& noun, Action& action) {
+void addBuildPacking(CLI::App& parentCommand, Action& action) {
   auto [verb, command] = addCommand(
-      noun,
+      parentCommand,
       action,
       "build",
       "Fill a closed mesh, or the built-in acetabulum, with spheres",
@@ -180,7 +180,7 @@ void addBuildPacking(CLI::App& noun, Action& action) {
   verb->add_option("--title", command.title, "Title shown in reports")->capture_default_str();
 }
 
-struct DensityCommand {
+struct DensityArguments {
   const CLI::App* parsedCommand = nullptr;  ///< for finding out which options were given
   std::string packing;
   MaterialChoice material;
@@ -196,14 +196,14 @@ struct DensityCommand {
 constexpr const char* kSwarmOptions[]{"--layers", "--particles", "--iterations", "--seed"};
 
 /// The function that computes the densities; empty for the exact method.
-reaming::DensityMethod methodOf(const DensityCommand& command) {
+reaming::DensityMethod methodOf(const DensityArguments& command) {
   if (command.method == "exact") return {};
   return [&command](const reaming::ContactMatrix& matrix, std::span<const double> forces) {
     return reaming::fitBoneBySwarm(matrix, forces, command.layers, command.swarm);
   };
 }
 
-std::string describeSwarm(const DensityCommand& command) {
+std::string describeSwarm(const DensityArguments& command) {
   return fmt::format(
       "a particle swarm ({}, {} particles, {} steps, seed {})",
       command.layers > 0 ? fmt::format("{} layers", command.layers) : "every sphere for itself",
@@ -264,7 +264,7 @@ void printFriction(const reaming::BoneFitReport& report, bool hasTorque) {
   }
 }
 
-int fitDensities(DensityCommand& command) {
+int fitDensities(DensityArguments& command) {
   checkedEnding(command.out);
   const bool isSwarm = command.method == "swarm";
   for (const auto* option : kSwarmOptions) {
@@ -309,9 +309,9 @@ int fitDensities(DensityCommand& command) {
   return 0;
 }
 
-void addFitDensities(CLI::App& noun, Action& action) {
+void addFitDensities(CLI::App& parentCommand, Action& action) {
   auto [verb, command] = addCommand(
-      noun,
+      parentCommand,
       action,
       "fit",
       "Fit the densities of a packing's spheres to a material",
@@ -356,12 +356,12 @@ void addFitDensities(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addPackingCommands(CLI::App& program, Action& action) {
-  auto& noun = addCommandGroup(
+  auto& parentCommand = addCommandGroup(
       program,
       "packing",
       "Model a bone by spheres that reaming removes: fill a mesh, fit densities");
-  addBuildPacking(noun, action);
-  addFitDensities(noun, action);
+  addBuildPacking(parentCommand, action);
+  addFitDensities(parentCommand, action);
 }
 
 }  // namespace study::app

@@ -39,7 +39,7 @@ std::vector<protocols::NamedSurface> surfacesIn(const std::string& path) {
 
 /// Metres per unit of the mesh. If the unit is derived from the size, a sentence is added to
 /// @p body.
-double unitOf(const reaming::TriangleMesh& mesh, const std::string& unit, BodyMesh& body) {
+double metresPerUnit(const reaming::TriangleMesh& mesh, const std::string& unit, BodyMesh& body) {
   if (unit == "m") return 1.0;
   if (unit == "mm") return 0.001;
   const double likely = reaming::likelyUnit(mesh);
@@ -113,7 +113,7 @@ BodyMesh readBody(const std::string& path, const std::string& unit) {
   }
   BodyMesh body{.mesh = trianglesOf(surfacesIn(path)), .remarks = {}};
   for (const auto& repair : reaming::repair(body.mesh)) body.remarks.push_back(repair);
-  const double unitLength = unitOf(body.mesh, unit, body);
+  const double unitLength = metresPerUnit(body.mesh, unit, body);
   for (auto& vertex : body.mesh.vertices) vertex = unitLength * vertex;
   std::string wrong;
   for (const auto& problem : reaming::problemsOf(body.mesh)) wrong += "\n  " + problem + ".";

@@ -24,14 +24,14 @@ namespace {
 
 namespace recordings = haptics::recordings;
 
-struct NoiseCommand {
+struct NoiseArguments {
   RecordingInputs inputs;
   std::vector<std::string> rows;
   double leastStep = recordings::kLeastStep;
   bool json = false;
 };
 
-struct ImportCommand {
+struct ImportArguments {
   RecordingInputs inputs;
   std::string out;
   std::string rows;
@@ -54,7 +54,7 @@ recordings::RowRange rowRange(const std::string& text) {
   return range;
 }
 
-std::string landmark(const char* name, const std::optional<recordings::CurvePoint>& point) {
+std::string describeLandmark(const char* name, const std::optional<recordings::CurvePoint>& point) {
   return point ? fmt::format("{} {:.2f} → {:.2f} N", name, point->travel, point->force)
                : fmt::format("{} –", name);
 }
@@ -98,18 +98,18 @@ void printSurvey(
         c.rows.last,
         c.duration,
         c.peakForce,
-        landmark("interception", c.landmarks.interception),
-        landmark("yield", c.landmarks.yield),
-        landmark("bottom-out", c.landmarks.bottomOut),
-        landmark("opening", c.landmarks.opening),
+        describeLandmark("interception", c.landmarks.interception),
+        describeLandmark("yield", c.landmarks.yield),
+        describeLandmark("bottom-out", c.landmarks.bottomOut),
+        describeLandmark("opening", c.landmarks.opening),
         c.isComplete ? "" : "  (incomplete)");
   }
 }
 
 /// The requested cut. If none was requested and none can be chosen automatically, std::nullopt, and
 /// @p whyNot receives the reason; the recording can still be shown.
-std::optional<recordings::ImportedCut> cutFrom(
-    const recordings::Recording& recording, const ImportCommand& command, std::string& whyNot) {
+std::optional<recordings::ImportedCut> requestedCut(
+    const recordings::Recording& recording, const ImportArguments& command, std::string& whyNot) {
   const bool isLookingOnly =
       command.out.empty() && command.rows.empty() && command.options.closures.empty();
   try {
@@ -121,7 +121,7 @@ std::optional<recordings::ImportedCut> cutFrom(
   }
 }
 
-void printChosenCut(const ImportCommand& command, const recordings::ImportReport& report) {
+void printChosenCut(const ImportArguments& command, const recordings::ImportReport& report) {
   fmt::print("\n  {}\n", describe(report.reason));
   for (const auto& change : report.changes) fmt::print("  {}\n", describe(change));
   if (report.isAltered()) {
@@ -146,7 +146,7 @@ void printChosenCut(const ImportCommand& command, const recordings::ImportReport
   }
 }
 
-int import(ImportCommand& command) {
+int import(ImportArguments& command) {
   const auto [recording, calibration] = readFrom(command.inputs);
   command.options.calibration = calibration;
   command.options.filter = command.inputs.travelFilter();
@@ -155,7 +155,7 @@ int import(ImportCommand& command) {
   const auto survey = recordings::summariseCuts(recording, trace, command.options.yieldLoad);
   const auto filter = recordings::parametersOf(command.options.filter, survey.sampling.rate);
   std::string whyNot;
-  const auto imported = cutFrom(recording, command, whyNot);
+  const auto imported = requestedCut(recording, command, whyNot);
   if (imported && !command.out.empty()) {
     writeNewFile(command.out, cutAsJsonWithSource(command.inputs.file, imported->cut));
   }
@@ -176,7 +176,7 @@ int import(ImportCommand& command) {
   return 0;
 }
 
-int noise(const NoiseCommand& command) {
+int noise(const NoiseArguments& command) {
   const auto [recording, calibration] = readFrom(command.inputs);
   const auto trace = recordings::traceOf(recording, calibration, command.inputs.travelFilter());
   std::vector<recordings::RowRange> rows;
@@ -215,9 +215,9 @@ int noise(const NoiseCommand& command) {
   return 0;
 }
 
-void addImport(CLI::App& noun, Action& action) {
+void addImport(CLI::App& parentCommand, Action& action) {
   auto [import, command] = addCommand(
-      noun,
+      parentCommand,
       action,
       "import",
       "Read a recording of a real punch, find its cuts, write one as a cut file",
@@ -255,9 +255,9 @@ void addImport(CLI::App& noun, Action& action) {
   import->add_flag("--json", command.json, "Print JSON with full precision");
 }
 
-void addNoise(CLI::App& noun, Action& action) {
+void addNoise(CLI::App& parentCommand, Action& action) {
   auto [noise, command] = addCommand(
-      noun,
+      parentCommand,
       action,
       "noise",
       "Estimate the process noise of a Kalman filter from the variation of recorded cuts",
@@ -285,13 +285,13 @@ void addNoise(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addRecordingCommands(CLI::App& program, Action& action) {
-  auto& noun = addCommandGroup(
+  auto& parentCommand = addCommandGroup(
       program,
       "recording",
       "Import measured cuts for rendering; calibrate the force sensor that measured them");
-  addImport(noun, action);
-  addNoise(noun, action);
-  addCalibrateCommand(noun, action);
+  addImport(parentCommand, action);
+  addNoise(parentCommand, action);
+  addCalibrateCommand(parentCommand, action);
 }
 
 }  // namespace study::app

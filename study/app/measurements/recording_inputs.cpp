@@ -75,7 +75,7 @@ recordings::TravelFilter RecordingInputs::travelFilter() const {
   return chosen;
 }
 
-ReadRecording readFrom(const RecordingInputs& inputs) {
+CalibratedRecording readFrom(const RecordingInputs& inputs) {
   auto recording = readRecordingWithColumns(inputs.file, inputs.columns);
   if (!inputs.calibration.empty()) recording.calibration = calibrationNamed(inputs.calibration);
   auto calibration = recordings::calibrationFor(recording);

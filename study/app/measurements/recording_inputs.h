@@ -15,7 +15,7 @@ namespace study::app {
 struct RecordingInputs {
   std::string file;
   std::string columns;      ///< a columns file; empty: the punch recorder's five columns
-  std::string calibration;  ///< name or file of a calibration; empty: the recording's own
+  std::string calibration;  ///< name or file of a calibration; empty: that of the recording
   std::string filter = "authors-fir";
   std::optional<double> cutoff;  ///< [Hz]
 
@@ -27,12 +27,12 @@ struct RecordingInputs {
 };
 
 /// A recording from a file, and its calibration.
-struct ReadRecording {
+struct CalibratedRecording {
   haptics::recordings::Recording recording;
   haptics::recordings::ForceCalibration calibration;
 };
 
 /// @throws UserError  if a columns file, a calibration file or the recording is invalid.
-ReadRecording readFrom(const RecordingInputs& inputs);
+CalibratedRecording readFrom(const RecordingInputs& inputs);
 
 }  // namespace study::app

@@ -84,7 +84,7 @@ void addLandmarks(
 
 ChartSeries rowsAsLine(
     const std::string& title, const recordings::Trace& trace, const recordings::RowRange& rows) {
-  return thinned(
+  return thinnedSeries(
       title,
       rows.last - rows.first + 1,
       [&](std::size_t i) { return trace.travel[rows.first - 1 + i]; },
@@ -172,10 +172,10 @@ Chart travelOverTime(
     return kSecondsPerMillisecond * (recording.rows[first + i].time - recording.rows[first].time);
   };
   Chart chart{.x = {.title = "time [s]"}, .y = {.title = "travel [travel units]"}};
-  chart.series.push_back(thinned(
+  chart.series.push_back(thinnedSeries(
       "recorded", count, time, [&](std::size_t i) { return recording.rows[first + i].travel; }));
-  chart.series.push_back(
-      thinned("filtered", count, time, [&](std::size_t i) { return trace.travel[first + i]; }));
+  chart.series.push_back(thinnedSeries(
+      "filtered", count, time, [&](std::size_t i) { return trace.travel[first + i]; }));
   return chart;
 }
 
@@ -195,7 +195,7 @@ report::DocumentPart cutPart(
   }
   chart.series.push_back(std::move(samples));
   const auto& nodes = imported.cut.curve.nodes();
-  chart.series.push_back(thinned(
+  chart.series.push_back(thinnedSeries(
       "as rendered",
       nodes.size(),
       [&](std::size_t i) { return nodes[i].travel; },
@@ -278,9 +278,10 @@ report::Document calibrationReport(
   constexpr std::size_t kSteps = 200;
   const double step = (calibration.highest - calibration.lowest) / kSteps;
   const auto at = [&](std::size_t i) { return calibration.lowest + step * static_cast<double>(i); };
-  curve.series = {std::move(loads), thinned("calibration", kSteps + 1, at, [&](std::size_t i) {
-                    return recordings::forceOf(at(i), calibration);
-                  })};
+  curve.series = {
+      std::move(loads), thinnedSeries("calibration", kSteps + 1, at, [&](std::size_t i) {
+        return recordings::forceOf(at(i), calibration);
+      })};
   residuals.series = {
       std::move(left),
       {.title = "RMS",

@@ -73,10 +73,11 @@ PublishedReport checkPublishedTable(
   PublishedReport report{.table = table, .tableOptions = tableOptions};
   if (tableOptions.scale) findConsistentSizes(report);
   for (const auto& convention : analysis::publishedConventions()) {
-    if (stated) report.atStated.push_back(analysis::checkConvention(table, *stated, convention));
+    if (stated)
+      report.statedSizeChecks.push_back(analysis::checkConvention(table, *stated, convention));
     if (!tableOptions.fewest) continue;
     for (std::uint64_t n = *tableOptions.fewest; n <= *tableOptions.most; ++n) {
-      report.atEqual.push_back(
+      report.equalSizeChecks.push_back(
           analysis::checkConvention(table, GroupSizes(table.groups.size(), n), convention));
     }
   }

@@ -26,9 +26,9 @@ struct PublishedReport {
   analysis::PublishedTable table;
   PublishedTableOptions tableOptions;
   /// For every convention, the check with the stated sizes; empty if the table states none.
-  std::vector<analysis::ConventionCheck> atStated;
+  std::vector<analysis::ConventionCheck> statedSizeChecks;
   /// For every convention, the check with equal sizes of all groups; empty if not requested.
-  std::vector<analysis::ConventionCheck> atEqual;
+  std::vector<analysis::ConventionCheck> equalSizeChecks;
   /// For every convention, the sizes for which a set of whole answers gives the table's values;
   /// empty without a scale.
   std::vector<analysis::ConsistentSizes> consistentSizes;

@@ -62,11 +62,11 @@ std::string publishedReportAsJson(const PublishedReport& report) {
   json["groups"] = Json::array();
   for (const auto& group : report.table.groups) json["groups"].push_back(group.name);
   json["at_stated_n"] = Json::array();
-  for (const auto& check : report.atStated) {
+  for (const auto& check : report.statedSizeChecks) {
     json["at_stated_n"].push_back(asJson(report.table, check));
   }
   json["at_equal_n"] = Json::array();
-  for (const auto& check : report.atEqual) {
+  for (const auto& check : report.equalSizeChecks) {
     json["at_equal_n"].push_back(asJson(report.table, check));
   }
   json["whole_answers"] = Json::array();

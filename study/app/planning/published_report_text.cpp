@@ -25,7 +25,7 @@ std::string namesAndSizes(const PublishedTable& table, const analysis::GroupSize
 }
 
 /// Numbers as a list of ranges: "24–27, 30".
-std::string inRanges(const std::vector<std::uint64_t>& numbers) {
+std::string asRanges(const std::vector<std::uint64_t>& numbers) {
   std::string words;
   for (std::size_t i = 0; i < numbers.size();) {
     std::size_t last = i;
@@ -76,14 +76,14 @@ std::string comparisonTable(const PublishedTable& table, const ConventionCheck& 
 /// The check with the stated sizes: a table of the printed and the computed numbers, and the
 /// conventions that reproduce the whole row.
 std::string statedPart(const PublishedReport& report) {
-  std::string text = comparisonTable(report.table, report.atStated.front());
+  std::string text = comparisonTable(report.table, report.statedSizeChecks.front());
   std::vector<std::string> fitting;
-  for (const auto& check : report.atStated) {
+  for (const auto& check : report.statedSizeChecks) {
     if (check.row) fitting.push_back(analysis::describe(check.convention));
   }
   text += fmt::format(
       "Of {} conventions {} the whole row at these sizes{}\n",
-      report.atStated.size(),
+      report.statedSizeChecks.size(),
       fitting.empty() ? "none explains" : fmt::format("{} explain", fitting.size()),
       fitting.empty() ? "." : ":");
   for (const auto& words : fitting) text += "  " + words + "\n";
@@ -97,10 +97,10 @@ std::string equalPart(const PublishedReport& report) {
       *report.tableOptions.most);
   for (const auto& convention : analysis::publishedConventions()) {
     std::vector<std::uint64_t> sizes;
-    for (const auto& check : report.atEqual) {
+    for (const auto& check : report.equalSizeChecks) {
       if (check.convention == convention && check.row) sizes.push_back(check.sizes.front());
     }
-    text += fmt::format("  {:<60} {}\n", analysis::describe(convention), inRanges(sizes));
+    text += fmt::format("  {:<60} {}\n", analysis::describe(convention), asRanges(sizes));
   }
   return text + "\n";
 }
@@ -113,7 +113,7 @@ std::string describeFits(const PublishedTable& table, const analysis::Consistent
       "{} of {} fit, {}; fewest missing: {}",
       fits.fitting.size(),
       fits.tried,
-      equal.empty() ? "none with equal sizes" : "equal sizes " + inRanges(equal),
+      equal.empty() ? "none with equal sizes" : "equal sizes " + asRanges(equal),
       namesAndSizes(table, *fits.largestFittingSizes()));
 }
 
@@ -155,7 +155,7 @@ std::string describeExample(const PublishedReport& report) {
   return text;
 }
 
-std::string wholeAnswersPart(const PublishedReport& report) {
+std::string consistentSizesPart(const PublishedReport& report) {
   const auto& scale = *report.tableOptions.scale;
   std::string text = fmt::format(
       "Answers on {} … {}{} (sums and sums of squares are whole; every combination of sizes):\n",
@@ -167,7 +167,7 @@ std::string wholeAnswersPart(const PublishedReport& report) {
     text += fmt::format(
         "  mean and variance of {} alone: {}\n",
         report.table.groups[g].name,
-        usual.possible[g].empty() ? "no size" : "n = " + inRanges(usual.possible[g]));
+        usual.possible[g].empty() ? "no size" : "n = " + asRanges(usual.possible[g]));
   }
   for (const auto& fits : report.consistentSizes) {
     text += fmt::format(
@@ -181,10 +181,10 @@ std::string wholeAnswersPart(const PublishedReport& report) {
 std::string publishedReportAsText(const PublishedReport& report) {
   std::string text =
       "Do the printed p values follow from the printed means, variances and sizes?\n\n";
-  if (!report.atStated.empty()) text += statedPart(report);
-  if (!report.atEqual.empty()) text += equalPart(report);
+  if (!report.statedSizeChecks.empty()) text += statedPart(report);
+  if (!report.equalSizeChecks.empty()) text += equalPart(report);
   if (!report.consistentSizes.empty()) {
-    text += wholeAnswersPart(report);
+    text += consistentSizesPart(report);
   } else {
     text +=
         "Whole answers were not looked for: say what scale they were given on, for instance "

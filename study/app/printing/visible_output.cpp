@@ -15,7 +15,7 @@ namespace {
 
 /// The result of decoding the first character of a text.
 struct Decoded {
-  enum class State { Sound, Unfinished, NotUtf8 };
+  enum class State { Valid, Unfinished, NotUtf8 };
   State state = State::NotUtf8;
   std::uint32_t code = 0;
   std::size_t bytes = 1;
@@ -23,17 +23,17 @@ struct Decoded {
 
 /// The number of bytes of a UTF-8 character with the first byte @p lead; 0 if that is no first
 /// byte.
-std::size_t bytesFrom(unsigned char lead) {
+std::size_t characterSize(unsigned char lead) {
   if (lead < 0x80) return 1;
   if (lead < 0xc2 || lead > 0xf4) return 0;
   return lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
 }
 
-Decoded firstOf(std::string_view text) {
+Decoded decodeFirst(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text.front());
-  const std::size_t bytes = bytesFrom(lead);
+  const std::size_t bytes = characterSize(lead);
   if (bytes == 0) return {};
-  if (bytes == 1) return {Decoded::State::Sound, lead, 1};
+  if (bytes == 1) return {Decoded::State::Valid, lead, 1};
   std::uint32_t code = lead & (0xffU >> (bytes + 1));
   for (const char c : text.substr(1, bytes - 1)) {
     const auto byte = static_cast<unsigned char>(c);
@@ -43,7 +43,7 @@ Decoded firstOf(std::string_view text) {
   if (text.size() < bytes) return {.state = Decoded::State::Unfinished};
   // an overlong encoding or a surrogate
   if (!questionnaires::utf8CharacterCount(text.substr(0, bytes))) return {};
-  return {Decoded::State::Sound, code, bytes};
+  return {Decoded::State::Valid, code, bytes};
 }
 
 bool isTerminalControl(std::uint32_t code) {
@@ -76,11 +76,11 @@ ssize_t writeVisibly(void* cookie, const char* text, std::size_t count) {
   return isWritten ? static_cast<ssize_t>(count) : 0;
 }
 
-/// A stream that escapes text and writes it to @p output; @p otherwise if it cannot be created.
-FILE* openEscapingStream(Output& output, FILE* otherwise, int buffering) {
+/// A stream that escapes text and writes it to @p output; @p fallback if it cannot be created.
+FILE* openEscapingStream(Output& output, FILE* fallback, int buffering) {
   FILE* stream = fopencookie(&output, "w", {nullptr, writeVisibly, nullptr, nullptr});
-  if (stream == nullptr) return otherwise;
-  std::fflush(otherwise);
+  if (stream == nullptr) return fallback;
+  std::fflush(fallback);
   std::setvbuf(stream, nullptr, buffering, BUFSIZ);
   return stream;
 }
@@ -92,7 +92,7 @@ std::string VisibleText::operator()(std::string_view part) {
   std::string_view text = pending_;
   std::string shown;
   while (!text.empty()) {
-    const auto next = firstOf(text);
+    const auto next = decodeFirst(text);
     const bool isUnfinished = next.state == Decoded::State::Unfinished || text == "\r";
     if (isUnfinished) break;
     const bool endsLine = text.substr(0, 2) == "\r\n";

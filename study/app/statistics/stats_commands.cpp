@@ -18,7 +18,7 @@
 namespace study::app {
 namespace {
 
-struct RunOptions {
+struct RunArguments {
   std::string folder;
   std::string profile = "declared";
   std::string wording = "apa";
@@ -42,7 +42,7 @@ Profile profileNamed(std::string_view name) {
   });
   while (true) {
     // read before the results are computed, so that later events are not missed
-    const auto seen = study.events().last();
+    const auto lastEvent = study.events().last();
     fmt::print(
         "{}\nINTERIM, {}: if you stop the study because of these tables, or go on until p is "
         "small, its p values are invalid.\n\n",
@@ -53,11 +53,11 @@ Profile profileNamed(std::string_view name) {
             wording),
         asUtc(study.clock().now().wall));
     std::fflush(stdout);
-    while (study.events().last() == seen) std::this_thread::sleep_for(kWatchPeriod);
+    while (study.events().last() == lastEvent) std::this_thread::sleep_for(kWatchPeriod);
   }
 }
 
-int run(const RunOptions& options) {
+int run(const RunArguments& options) {
   auto study = Study::open(options.folder, accessForUnblinding(options.reason));
   askForKeyIfLocked(study);
   const auto mode = chosenRunMode(study, options.runMode);
@@ -75,11 +75,11 @@ int run(const RunOptions& options) {
 }  // namespace
 
 void addStatsCommands(CLI::App& program, Action& action) {
-  auto& noun =
+  auto& parentCommand =
       addCommandGroup(program, "stats", "Statistics of a study; statistical tests of any table");
 
   auto [run, running] = addCommand(
-      noun,
+      parentCommand,
       action,
       "run",
       "Print the tables of a study: means and variances, declared comparisons, preferences",
@@ -102,8 +102,8 @@ void addStatsCommands(CLI::App& program, Action& action) {
          "Print the tables again after every answer; ends with Ctrl-C")
       ->excludes(json);
 
-  addTestCommand(noun, action);
-  addCheckTableCommand(noun, action);
+  addTestCommand(parentCommand, action);
+  addCheckTableCommand(parentCommand, action);
 }
 
 }  // namespace study::app

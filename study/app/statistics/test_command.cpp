@@ -16,12 +16,12 @@
 namespace study::app {
 namespace {
 
-struct TestOptions {
+struct TestArguments {
   std::string test;
   std::string file;
   analysis::ChosenColumns columns;
   analysis::TestSettings settings;
-  bool isList = false;
+  bool isListRequested = false;
   bool json = false;
 };
 
@@ -75,8 +75,8 @@ void printGroups(const analysis::TestData& data) {
 void printRow(const analysis::TestRow& row, double level) {
   std::string line;
   const auto add = [&](const std::string& text) { line += (line.empty() ? "" : ", ") + text; };
-  const auto addNumber = [&](const analysis::NamedNumber& number, const char* between) {
-    if (!number.name.empty()) add(withSpaces(number.name) + between + orMissing(number.value));
+  const auto addNumber = [&](const analysis::NamedNumber& number, const char* separator) {
+    if (!number.name.empty()) add(withSpaces(number.name) + separator + orMissing(number.value));
   };
   addNumber(row.estimate, " ");
   addNumber(row.statistic, " = ");
@@ -110,11 +110,11 @@ void print(
     const analysis::TestData& data,
     const std::vector<analysis::TestRow>& rows,
     double level) {
-  const bool isList = test.hasSeveralRows();
+  const bool isListRequested = test.hasSeveralRows();
   const auto names = [](const analysis::TestRow& row) {
     return row.group2.empty() ? row.group1 : row.group1 + " − " + row.group2;
   };
-  const bool hasNames = !isList && !rows.front().group1.empty();
+  const bool hasNames = !isListRequested && !rows.front().group1.empty();
   fmt::print("{}{}\n\n", test.title, hasNames ? ", " + names(rows.front()) : "");
   printGroups(data);
   if (data.missing > 0) {
@@ -125,13 +125,13 @@ void print(
         isGrouped ? "without a group or a value" : "because a cell is empty or NA");
   }
   for (const auto& row : rows) {
-    if (isList && !row.group1.empty()) fmt::print("{}\n", names(row));
+    if (isListRequested && !row.group1.empty()) fmt::print("{}\n", names(row));
     printRow(row, level);
   }
 }
 
-int runTest(const TestOptions& options) {
-  if (options.isList) return list();
+int runTest(const TestArguments& options) {
+  if (options.isListRequested) return list();
   const auto& test = analysis::statisticalTest(options.test);
   const auto text = questionnaires::readTextFile(options.file);
   try {
@@ -156,7 +156,7 @@ void addTestCommand(CLI::App& stats, Action& action) {
       addCommand(stats, action, "test", "Run a statistical test on a table of your own", runTest);
   auto* list = command->add_flag(
       "--list",
-      options.isList,
+      options.isListRequested,
       "List all tests, with the columns that each needs and the question that it answers");
   auto* name =
       command->add_option("TEST", options.test, "Name of a test from --list, for instance welch");
@@ -196,8 +196,8 @@ void addTestCommand(CLI::App& stats, Action& action) {
       ->capture_default_str();
   command->add_flag("--json", options.json, "Print JSON with full precision");
   command->parse_complete_callback([&options = options] {
-    if (!options.isList && options.test.empty()) throw CLI::RequiredError("TEST");
-    if (!options.isList && options.file.empty()) throw CLI::RequiredError("FILE");
+    if (!options.isListRequested && options.test.empty()) throw CLI::RequiredError("TEST");
+    if (!options.isListRequested && options.file.empty()) throw CLI::RequiredError("FILE");
   });
 }
 

@@ -48,7 +48,7 @@ void addSizes(ResultJson& json, const analysis::TestRow& row) {
 }
 
 /// The keys that all tests of a family's comparisons have.
-ResultJson testedAsJson(const analysis::TestRow& test) {
+ResultJson commonKeysAsJson(const analysis::TestRow& test) {
   return {
       {"p", nullable(test.p)},
       {"p_adj", nullable(test.adjusted)},
@@ -57,7 +57,7 @@ ResultJson testedAsJson(const analysis::TestRow& test) {
 }
 
 ResultJson mixedModelAsJson(const analysis::TestRow& test) {
-  auto json = testedAsJson(test);
+  auto json = commonKeysAsJson(test);
   if (!test.p) return json;
   json["estimate"] = nullable(test.estimate.value);
   json["se"] = nullable(test.standardError);
@@ -67,7 +67,7 @@ ResultJson mixedModelAsJson(const analysis::TestRow& test) {
 }
 
 ResultJson ordinalModelAsJson(const analysis::TestRow& test) {
-  auto json = testedAsJson(test);
+  auto json = commonKeysAsJson(test);
   if (!test.p) return json;
   json["estimate"] = nullable(test.estimate.value);
   json["se"] = nullable(test.standardError);
@@ -99,9 +99,9 @@ ResultJson withinAsJson(const analysis::WithinComparison& comparison) {
       {"log10_p", nullable(paired.log10P)}};
   addInterval(json, "conf_", paired.interval);
   addInterval(json, "conf_adj_", paired.adjustedInterval);
-  json["paired_t"] = testedAsJson(paired);
-  json["sign_flip"] = testedAsJson(comparison.test("sign_flip"));
-  json["signed_rank"] = testedAsJson(rank);
+  json["paired_t"] = commonKeysAsJson(paired);
+  json["sign_flip"] = commonKeysAsJson(comparison.test("sign_flip"));
+  json["signed_rank"] = commonKeysAsJson(rank);
   json["signed_rank"]["v"] = nullable(rank.statistic.value);
   json["signed_rank"]["rank_biserial"] = nullable(rank.effect.value);
   json["hodges_lehmann"] = nullable(rank.estimate.value);
@@ -217,7 +217,7 @@ ResultJson pooledAsJson(const analysis::TestRow& test) {
 ResultJson rowAsJson(const analysis::TestRow& test) {
   ResultJson json;
   addRow(json, test);
-  if (test.isInFamily) json.update(testedAsJson(test));
+  if (test.isInFamily) json.update(commonKeysAsJson(test));
   return json;
 }
 

@@ -27,7 +27,7 @@ constexpr std::array kTables{"event", "session", "fact", "progress", "answer"};
 using Counts = std::map<std::tuple<std::string, std::string, std::int64_t>, std::int64_t>;
 
 /// The query of the counts from which the pairwise comparisons are computed.
-std::string countsOf(const std::string& table, const std::string& instrument) {
+std::string countQuery(const std::string& table, const std::string& instrument) {
   return "SELECT cohort, code, point, count(*) FROM " + table +
          " WHERE run_mode = 'simulated' AND state = 'completed' AND instrument = '" + instrument +
          "' GROUP BY 1, 2, 3";
@@ -125,7 +125,7 @@ Counts countsIn(Connection& server, const std::string& query) {
 }
 
 /// Replaces codes by conditions, which only the owner of the database can read.
-Counts named(Connection& owner, const Counts& counts) {
+Counts withConditionNames(Connection& owner, const Counts& counts) {
   const auto rows = owner.query(
       "SELECT code, condition FROM palpate.condition_code WHERE run_mode = 'simulated'");
   std::map<std::string, std::string> names;
@@ -172,8 +172,8 @@ void count(
   owner.execute("VACUUM ANALYZE");
   Connection analyst(postgres.server());
   analyst.execute("SET ROLE palpate_analyst");
-  const auto ours = countsOf("palpate.answers", instrument);
-  const auto bare = countsOf("bare.points", instrument);
+  const auto ours = countQuery("palpate.answers", instrument);
+  const auto bare = countQuery("bare.points", instrument);
   if (countsIn(analyst, ours) != countsIn(analyst, bare)) {
     measured.problems.emplace_back("the analyst's view counts other answers than its own rows");
   }
@@ -221,7 +221,8 @@ void pullAll(
   });
   measured.memory = peakMemory();
   measured.pulledMegabytes = megabytesOf(own / "study");
-  const auto counts = named(server, countsIn(server, countsOf("palpate.answers", instrument)));
+  const auto counts =
+      withConditionNames(server, countsIn(server, countQuery("palpate.answers", instrument)));
   measured.groups = counts.size();
   if (counts.empty() || counts != countsAt(own / "study", instrument)) {
     measured.problems.emplace_back("the pulled folder has other counts than the analyst's view");

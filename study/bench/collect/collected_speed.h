@@ -25,7 +25,7 @@ struct IngestSpeed {
   std::int64_t before = 0;  ///< answers in the database before this part
   StationPush sent;         ///< of all stations of the part
   WorkTime copying;         ///< COPY of their answers into a table without keys
-  WorkTime copyingAll;      ///< … of all their rows, events and sessions included
+  WorkTime copyingAll;      ///< COPY of all their rows, including events and sessions
 };
 
 /// Times of two ways to compute equal counts [s], measured alternately.

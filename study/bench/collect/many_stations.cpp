@@ -111,7 +111,8 @@ void ManyStations::record(Study& study, int participants) {
   study.transact([&] { study.signTrail("simulated"); });
   const auto events = study.events().stored(0, study.events().last());
   for (const auto& row : study.sessions().all()) {
-    Recorded session{.facts = storage::sessionTablesOf(study.database(), row.id), .events = {}};
+    RecordedSession session{
+        .facts = storage::sessionTablesOf(study.database(), row.id), .events = {}};
     session.facts["trial"].clear();
     session.facts["cut"].clear();
     for (const auto& event : events) {

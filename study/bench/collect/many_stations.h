@@ -51,7 +51,7 @@ class ManyStations {
 
  private:
   /// A recorded session, for sending it again from other stations.
-  struct Recorded {
+  struct RecordedSession {
     storage::SessionTables facts;
     std::vector<storage::StoredEvent> events;
   };
@@ -66,7 +66,7 @@ class ManyStations {
   const collect::PrivateServer& postgres_;
   std::filesystem::path folder_;
   protocols::LoadedProtocol protocol_;
-  std::vector<Recorded> sessions_;
+  std::vector<RecordedSession> sessions_;
   StationPush recorded_;
 };
 

@@ -8,8 +8,8 @@
 namespace study::bench {
 
 /// How long something took, and how much time of a processor this process and the server's process
-/// for one connection used for it [s]. The second hardly depends on what else the computer does; it
-/// leaves out waiting for the disk.
+/// for one connection used for it [s]. The processor time hardly depends on other work of the
+/// computer, and does not include waiting for the disk.
 struct WorkTime {
   double wall = 0.0;
   double processor = 0.0;

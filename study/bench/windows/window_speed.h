@@ -50,7 +50,7 @@ struct SimulationSpeed {
   std::string remark;  ///< description of the renderer, e.g. that it draws without a graphics card
   ViewReport view;
   TrialRecord trialRecord;
-  std::pair<int, int> size;    ///< of the picture that is scaled to the window [pixels]
+  std::pair<int, int> size;    ///< size of the picture, which is scaled to the window [pixels]
   double longest = 0.0;        ///< the longest time from frame to frame [ms]
   double buildTime = 0.0;      ///< time to build the scene before the trial [ms]
   double bytesPerFrame = 0.0;  ///< number of bytes on spheres that a frame sends to the renderer

@@ -23,7 +23,7 @@ std::unique_ptr<CLI::App> makeCollectProgram(Action& action);
 /// @throws UserError  if the command does not know an option
 int runPalpate(std::vector<std::string> words);
 
-// Each adds its commands to the program.
+// Each function adds its commands to the program.
 void addServerCommands(CLI::App& program, Action& action);   // init, ingest, revoke, set-aside
 void addStationCommands(CLI::App& program, Action& action);  // key, join, push, bundle, status
 void addPullCommands(CLI::App& program, Action& action);     // pull, stats, check

@@ -44,8 +44,9 @@ constexpr std::array kStations{
     DemoStation{"tromso", "tromso"}};
 
 /// The work of one site: enrolment, simulated participants, push.
-void runStation(const PrivateServer& postgres, const DemoStation& at, const DemoArguments& given) {
-  const fs::path out(given.out);
+void runStation(
+    const PrivateServer& postgres, const DemoStation& at, const DemoArguments& arguments) {
+  const fs::path out(arguments.out);
   const fs::path folder = out / at.label;
   const StationFolderOverride account(out / "accounts" / at.label);
   const auto station = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
@@ -61,7 +62,7 @@ void runStation(const PrivateServer& postgres, const DemoStation& at, const Demo
     simulateCohorts(
         study,
         clock,
-        given.participants,
+        arguments.participants,
         kSeed + static_cast<std::uint64_t>(&at - kStations.data()),
         [](const auto&) {});
     study.transact([&] { study.signTrail("simulated"); });
@@ -77,11 +78,11 @@ void runStation(const PrivateServer& postgres, const DemoStation& at, const Demo
       static_cast<double>(pushed.traceBytes) / 1e6);
 }
 
-int demo(const DemoArguments& given) {
-  const fs::path out(given.out);
+int demo(const DemoArguments& arguments) {
+  const fs::path out(arguments.out);
   std::error_code error;
   if (fs::exists(out, error) || !fs::create_directories(out / "accounts", error)) {
-    throw UserError(given.out + " is there already, or cannot be made. Choose another --out.");
+    throw UserError(arguments.out + " is there already, or cannot be made. Choose another --out.");
   }
   fmt::print("A private PostgreSQL server is started, which only this account can reach …\n");
   const PrivateServer postgres;
@@ -90,7 +91,7 @@ int demo(const DemoArguments& given) {
     installSchema(owner);
     addStudyOrVersion(owner, kStudy, app::loadValidProtocol(kProtocol), kSeed);
   }
-  for (const auto& station : kStations) runStation(postgres, station, given);
+  for (const auto& station : kStations) runStation(postgres, station, arguments);
   const StationFolderOverride account(out / "accounts" / "analyst");
   SystemClock clock;
   Connection server(postgres.server());
@@ -113,16 +114,17 @@ int demo(const DemoArguments& given) {
 }  // namespace
 
 void addDemoCommand(CLI::App& program, Action& action) {
-  auto [noun, given] = app::addCommand(
+  auto [noun, arguments] = app::addCommand(
       program,
       action,
       "demo",
       "Try it on this computer: four stations, simulated participants, and a private server",
       collect::demo);
-  noun->add_option("--out", given.out, "New folder (default: palpate-sites)")->type_name("FOLDER");
+  noun->add_option("--out", arguments.out, "New folder (default: palpate-sites)")
+      ->type_name("FOLDER");
   noun->add_option(
           "--participants",
-          given.participants,
+          arguments.participants,
           "Number of simulated participants of each station (default: 4)")
       ->check(CLI::Range(1, 1000));
 }

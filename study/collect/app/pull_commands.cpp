@@ -48,11 +48,13 @@ bool printProblems(const PullResult& pulled) {
   return pulled.isSound();
 }
 
-int pullStudy(const PullArguments& given) {
+int pullStudy(const PullArguments& arguments) {
   SystemClock clock;
-  Connection server(given.server);
-  const auto pulled =
-      pull(server, {.study = given.study, .folder = given.folder, .reason = given.reason}, clock);
+  Connection server(arguments.server);
+  const auto pulled = pull(
+      server,
+      {.study = arguments.study, .folder = arguments.folder, .reason = arguments.reason},
+      clock);
   std::int64_t events = 0;
   std::uint64_t traceBytes = 0;
   std::size_t erased = 0;
@@ -63,7 +65,7 @@ int pullStudy(const PullArguments& given) {
   }
   fmt::print(
       "{} has {} of {}, {} events, {:.1f} MB of samples{}.\n",
-      given.folder,
+      arguments.folder,
       words::counted(pulled.sessions(), "session"),
       words::counted(pulled.stations.size(), "station"),
       events,
@@ -71,18 +73,18 @@ int pullStudy(const PullArguments& given) {
       erased == 0 ? "" : "; " + words::counted(erased, "session was", "sessions were") + " erased");
   const bool isSound = printProblems(pulled);
   fmt::print(
-      "Next: palpate study verify {0}, palpate report {0} --out report.html\n", given.folder);
+      "Next: palpate study verify {0}, palpate report {0} --out report.html\n", arguments.folder);
   return isSound ? 0 : 1;
 }
 
 /// A study that is pulled for one command, into a temporary folder.
 class TemporaryPull {
  public:
-  explicit TemporaryPull(const PullArguments& given) : account_(folder_ / "account") {
+  explicit TemporaryPull(const PullArguments& arguments) : account_(folder_ / "account") {
     SystemClock clock;
-    Connection server(given.server);
-    pulled_ =
-        pull(server, {.study = given.study, .folder = study(), .reason = given.reason}, clock);
+    Connection server(arguments.server);
+    pulled_ = pull(
+        server, {.study = arguments.study, .folder = study(), .reason = arguments.reason}, clock);
   }
 
   std::filesystem::path study() const { return folder_ / "study"; }
@@ -94,17 +96,17 @@ class TemporaryPull {
   PullResult pulled_;
 };
 
-int statsOfAll(const PullArguments& given) {
-  const TemporaryPull all(given);
-  auto words = given.stats->remaining();
+int statsOfAll(const PullArguments& arguments) {
+  const TemporaryPull all(arguments);
+  auto words = arguments.stats->remaining();
   const bool isSound = printProblems(all.pulled());
-  words.insert(words.begin(), {"stats", "run", all.study().string(), "--reason", given.reason});
+  words.insert(words.begin(), {"stats", "run", all.study().string(), "--reason", arguments.reason});
   const int status = runPalpate(std::move(words));
   return isSound ? status : std::max(status, 1);
 }
 
-int checkStudy(const PullArguments& given) {
-  const TemporaryPull all(given);
+int checkStudy(const PullArguments& arguments) {
+  const TemporaryPull all(arguments);
   for (const auto& station : all.pulled().stations) {
     fmt::print(
         "{}  {}: {} events, {}\n",
@@ -116,17 +118,17 @@ int checkStudy(const PullArguments& given) {
   return printProblems(all.pulled()) ? 0 : 1;
 }
 
-void addSource(CLI::App& command, PullArguments& given) {
-  addServerOption(command, given.server);
+void addSource(CLI::App& command, PullArguments& arguments) {
+  addServerOption(command, arguments.server);
   command.add_option(
-      "--study", given.study, "Name of the study on the server (default: the only one)");
+      "--study", arguments.study, "Name of the study on the server (default: the only one)");
 }
 
-void addReasonForReading(CLI::App& command, PullArguments& given) {
+void addReasonForReading(CLI::App& command, PullArguments& arguments) {
   command
       .add_option(
           "--reason",
-          given.reason,
+          arguments.reason,
           "Reason for reading data that reveal the conditions (unblinding); the server records it")
       ->required();
 }

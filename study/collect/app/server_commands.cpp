@@ -35,64 +35,65 @@ struct ServerArguments {
   int days = 30;
 };
 
-int addStudyOrProtocol(Connection& server, const ServerArguments& given) {
-  const auto protocol = app::loadValidProtocol(given.protocol);
-  const bool isNew = addStudyOrVersion(server, given.study, protocol, given.seed);
+int addStudyOrProtocol(Connection& server, const ServerArguments& arguments) {
+  const auto protocol = app::loadValidProtocol(arguments.protocol);
+  const bool isNew = addStudyOrVersion(server, arguments.study, protocol, arguments.seed);
   if (isNew) {
     fmt::print(
         "'{}' is on the server: \"{}\".\nNext: on each station 'palpate collect key', and here "
         "palpate collect init --study {} --station FILE --site SITE --key KEY\n",
-        given.study,
+        arguments.study,
         protocol.protocol.study.title,
-        given.study);
+        arguments.study);
   } else {
     fmt::print(
         "{} is a version of the protocol of '{}' now. Stations take it over with 'palpate study "
         "amend'; new stations begin with it.\n",
-        given.protocol,
-        given.study);
+        arguments.protocol,
+        arguments.study);
   }
   return 0;
 }
 
-int addOneStation(Connection& server, const ServerArguments& given) {
-  if (std::filesystem::exists(given.station)) {
-    throw UserError(given.station + " is there already. Choose another name for the enrolment.");
+int addOneStation(Connection& server, const ServerArguments& arguments) {
+  if (std::filesystem::exists(arguments.station)) {
+    throw UserError(
+        arguments.station + " is there already. Choose another name for the enrolment.");
   }
   const auto station = enrolStation(
       server,
-      {.study = given.study,
-       .site = given.site,
-       .label = given.name,
-       .key = given.key,
-       .address = given.address,
-       .days = given.days});
-  writeNewFile(given.station, station.file);
+      {.study = arguments.study,
+       .site = arguments.site,
+       .label = arguments.name,
+       .key = arguments.key,
+       .address = arguments.address,
+       .days = arguments.days});
+  writeNewFile(arguments.station, station.file);
   fmt::print(
       "{} makes one computer the station '{}' of '{}'; it can be used once, until {}.\nThe server "
       "knows it as the role {}. How it proves that (certificate or password): "
       "docs/collecting.md.\nNext, on that computer: palpate collect join {} FOLDER\nThe mark of "
       "the study, to be "
       "compared there on the telephone: {}\n",
-      given.station,
+      arguments.station,
       station.label,
       station.study,
       station.expiresUtc.substr(0, 10),
       station.role,
-      given.station,
+      arguments.station,
       station.mark);
   return 0;
 }
 
-int init(const ServerArguments& given) {
+int init(const ServerArguments& arguments) {
   const bool isOfSchemaAlone =
-      given.protocol.empty() && given.station.empty() && given.study.empty();
-  if (!isOfSchemaAlone && given.protocol.empty() == given.station.empty()) {
+      arguments.protocol.empty() && arguments.station.empty() && arguments.study.empty();
+  if (!isOfSchemaAlone && arguments.protocol.empty() == arguments.station.empty()) {
     throw UserError(
         "Say what to make: a study (--protocol FILE --study NAME) or a station of it (--station "
         "FILE --site SITE --key KEY).");
   }
-  Connection server(given.server);
+  Connection server(arguments.server);
   const int before = installSchema(server);
   if (before == 0) fmt::print("The server is ready: schema palpate, version {}.\n", newestSchema());
   if (before > 0 && before < newestSchema()) {
@@ -103,103 +104,109 @@ int init(const ServerArguments& given) {
     if (before == newestSchema()) fmt::print("The schema palpate has version {}.\n", before);
     return 0;
   }
-  return given.station.empty() ? addStudyOrProtocol(server, given) : addOneStation(server, given);
+  return arguments.station.empty() ? addStudyOrProtocol(server, arguments)
+                                   : addOneStation(server, arguments);
 }
 
 /// The role of those who administer studies on the server.
 constexpr std::string_view kOwner = "palpate_owner";
 
-int revoke(const ServerArguments& given) {
-  Connection server(given.server);
+int revoke(const ServerArguments& arguments) {
+  Connection server(arguments.server);
   withRole(server, kOwner, [&] {
     requireSchema(server);
-    revokeStation(server, findStudy(server, given.study).uuid, given.station, given.reason);
+    revokeStation(
+        server, findStudy(server, arguments.study).uuid, arguments.station, arguments.reason);
   });
-  fmt::print("Nothing is taken from '{}' any more. What arrived stays.\n", given.station);
+  fmt::print("Nothing is taken from '{}' any more. What arrived stays.\n", arguments.station);
   return 0;
 }
 
-int setAside(const ServerArguments& given) {
-  Connection server(given.server);
+int setAside(const ServerArguments& arguments) {
+  Connection server(arguments.server);
   withRole(server, kOwner, [&] {
     requireSchema(server);
-    setAsideStation(server, findStudy(server, given.study).uuid, given.station, given.reason);
+    setAsideStation(
+        server, findStudy(server, arguments.study).uuid, arguments.station, arguments.reason);
   });
   fmt::print(
       "What was here of '{}' is set aside, and pulled no more. On the station: palpate collect "
       "push "
       "FOLDER, or palpate collect bundle FOLDER --after 0 --out FILE, sends all of it again.\n",
-      given.station);
+      arguments.station);
   return 0;
 }
 
-int ingestFile(const ServerArguments& given) {
-  Connection server(given.server);
-  const auto taken = withRole(server, kOwner, [&] {
+int ingestFile(const ServerArguments& arguments) {
+  Connection server(arguments.server);
+  const auto ingested = withRole(server, kOwner, [&] {
     requireSchema(server);
-    return ingestBundle(server, given.file);
+    return ingestBundle(server, arguments.file);
   });
-  const auto added = static_cast<std::uint64_t>(taken.lastEvent - taken.before);
+  const auto added = static_cast<std::uint64_t>(ingested.lastEvent - ingested.before);
   fmt::print(
       "{} The server has all events of '{}' up to {}.\n",
       added == 0 ? "Nothing in it is new." : words::counted(added, "new event") + ".",
-      taken.station,
-      taken.lastEvent);
-  for (const auto& receipt : taken.erased) fmt::print("{}\n", wordsFor(receipt));
+      ingested.station,
+      ingested.lastEvent);
+  for (const auto& receipt : ingested.erased) fmt::print("{}\n", wordsFor(receipt));
   return 0;
 }
 
-void addStudyAndStation(CLI::App& command, ServerArguments& given) {
-  addServerOption(command, given.server);
+void addStudyAndStation(CLI::App& command, ServerArguments& arguments) {
+  addServerOption(command, arguments.server);
   command.add_option(
-      "--study", given.study, "Name of the study on the server (default: the only one)");
-  command.add_option("--station", given.station, "Name of the station")->required();
+      "--study", arguments.study, "Name of the study on the server (default: the only one)");
+  command.add_option("--station", arguments.station, "Name of the station")->required();
 }
 
 }  // namespace
 
 void addServerCommands(CLI::App& program, Action& action) {
-  auto [make, given] = app::addCommand(
+  auto [make, arguments] = app::addCommand(
       program,
       action,
       "init",
       "Prepare or update the server's database, create a study there, or enrol a station",
       init);
-  addServerOption(*make, given.server);
+  addServerOption(*make, arguments.server);
   make->add_option(
       "--study",
-      given.study,
+      arguments.study,
       "Name of the study on the server (for a station, default: the only one)");
   make->add_option(
           "--protocol",
-          given.protocol,
+          arguments.protocol,
           "Protocol file (.json), or a name from 'palpate protocol list'; for an existing study, "
           "its new version")
       ->type_name("FILE");
   make->add_option(
       "--seed",
-      given.seed,
+      arguments.seed,
       "Seed of the condition orders of all stations (default: the protocol's, otherwise random)");
-  auto* station =
-      make->add_option(
-              "--station", given.station, "Enrol a station: write its enrolment to this new file")
-          ->type_name("FILE");
-  make->add_option("--site", given.site, "Name of the site where the station is: \"oslo\"")
+  auto* station = make->add_option(
+                          "--station",
+                          arguments.station,
+                          "Enrol a station: write its enrolment to this new file")
+                      ->type_name("FILE");
+  make->add_option("--site", arguments.site, "Name of the site where the station is: \"oslo\"")
       ->needs(station);
   make->add_option(
-          "--name", given.name, "Name of the station (default: that of its site): \"oslo-2\"")
+          "--name", arguments.name, "Name of the station (default: that of its site): \"oslo-2\"")
       ->needs(station);
   make->add_option(
-          "--key", given.key, "Public key of the station, as 'palpate collect key' prints it there")
+          "--key",
+          arguments.key,
+          "Public key of the station, as 'palpate collect key' prints it there")
       ->needs(station);
   make->add_option(
           "--address",
-          given.address,
+          arguments.address,
           "How the station reaches the server, as for --server (default: the same)")
       ->needs(station)
       ->type_name("WHERE");
   make->add_option(
-          "--days", given.days, "Number of days for which the enrolment is valid (default: 30)")
+          "--days", arguments.days, "Number of days for which the enrolment is valid (default: 30)")
       ->needs(station)
       ->check(CLI::Range(1, 365));
 

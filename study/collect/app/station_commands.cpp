@@ -27,7 +27,7 @@ struct StationArguments {
   std::string enrolment;
   std::string out;
   std::string mark;
-  std::int64_t afterEvent = -1;  ///< -1: after those of the last push
+  std::int64_t afterEvent = -1;  ///< last event that is left out; -1: the last one of the last push
 };
 
 int printKey(const StationArguments& /*none*/) {
@@ -36,19 +36,19 @@ int printKey(const StationArguments& /*none*/) {
   return 0;
 }
 
-int joinStudy(const StationArguments& given) {
+int joinStudy(const StationArguments& arguments) {
   SystemClock clock;
-  const auto enrolment = join(given.enrolment, given.folder, clock, given.mark);
+  const auto enrolment = join(arguments.enrolment, arguments.folder, clock, arguments.mark);
   fmt::print(
       "{} is ready: \"{}\", station '{}' of the site '{}'. Codes of participants begin with "
       "{}_.\nSessions need no network. Afterwards: palpate collect push {}\n",
-      given.folder,
+      arguments.folder,
       enrolment.title,
       enrolment.station.label,
       enrolment.station.site,
       enrolment.station.label,
-      given.folder);
-  if (given.mark.empty()) {
+      arguments.folder);
+  if (arguments.mark.empty()) {
     fmt::print(
         "The study's mark is {}. Ask the study's administrator whether that is theirs, before "
         "anybody "
@@ -68,57 +68,59 @@ std::string arrivedInWords(const Arrivals& sessions) {
   return words;
 }
 
-int bundleStudy(const StationArguments& given) {
+int bundleStudy(const StationArguments& arguments) {
   SystemClock clock;
-  Outbox outbox(given.folder, clock);
+  Outbox outbox(arguments.folder, clock);
   const auto station = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
-  const auto after = given.afterEvent >= 0
-                         ? given.afterEvent
+  const auto after = arguments.afterEvent >= 0
+                         ? arguments.afterEvent
                          : lastPush(outbox.study(), outbox.station().uuid).lastEvent;
-  const auto bundle =
-      writeBundle(outbox, station, serverSettingsOf(given.folder).bundleKey, after, given.out);
+  const auto bundle = writeBundle(
+      outbox, station, serverSettingsOf(arguments.folder).bundleKey, after, arguments.out);
   fmt::print(
       "{} has events {} to {}, {:.1f} MB, sealed for the server's administrator. There: palpate "
       "collect "
       "ingest {}\n",
-      given.out,
+      arguments.out,
       bundle.first,
       bundle.last,
       static_cast<double>(bundle.bytes) / 1e6,
-      given.out);
+      arguments.out);
   return 0;
 }
 
-Connection connectionFor(const StationArguments& given) {
-  const auto home = serverSettingsOf(given.folder);
-  return Connection(given.server.empty() ? home.server : given.server, home.role);
+Connection connectionFor(const StationArguments& arguments) {
+  const auto home = serverSettingsOf(arguments.folder);
+  return Connection(arguments.server.empty() ? home.server : arguments.server, home.role);
 }
 
-PushResult pushed(const StationArguments& given, Outbox& outbox) {
-  auto server = connectionFor(given);
+PushResult pushOutbox(const StationArguments& arguments, Outbox& outbox) {
+  auto server = connectionFor(arguments);
   return push(outbox, server);
 }
 
 /// Notes the result, success or not, for the desk, which has no connection of its own.
-int pushStudy(const StationArguments& given) {
+int pushStudy(const StationArguments& arguments) {
   SystemClock clock;
-  Outbox outbox(given.folder, clock);
-  const auto note = [&](std::int64_t have, std::string_view problem) {
+  Outbox outbox(arguments.folder, clock);
+  const auto note = [&](std::int64_t lastEventOnServer, std::string_view problem) {
     recordPush(
         outbox.study(),
         outbox.station().uuid,
-        {.utc = asUtc(clock.now().wall), .lastEvent = have, .problem = std::string(problem)});
+        {.utc = asUtc(clock.now().wall),
+         .lastEvent = lastEventOnServer,
+         .problem = std::string(problem)});
   };
   const auto noteProblem = [&](std::string_view problem) {
     note(lastPush(outbox.study(), outbox.station().uuid).lastEvent, problem);
   };
   PushResult sent;
   try {
-    sent = pushed(given, outbox);
+    sent = pushOutbox(arguments, outbox);
   } catch (const ServerError& error) {
     noteProblem(nameOf(error.kind()));
     throw;
-  } catch (const Refused& error) {
+  } catch (const PushRefused& error) {
     noteProblem(error.name());
     throw;
   }
@@ -139,25 +141,25 @@ int pushStudy(const StationArguments& given) {
 }
 
 /// Prints what is known without a network, and what the server says if it can be reached.
-int statusOfStation(const StationArguments& given) {
+int statusOfStation(const StationArguments& arguments) {
   SystemClock clock;
-  Outbox outbox(given.folder, clock);
+  Outbox outbox(arguments.folder, clock);
   const auto noted = lastPush(outbox.study(), outbox.station().uuid);
-  auto have = noted.lastEvent;
+  auto lastEventOnServer = noted.lastEvent;
   std::string reason;
   try {
-    auto server = connectionFor(given);
+    auto server = connectionFor(arguments);
     requireSchema(server);
     const auto answer = ingest(server, outbox.lastEventQuery());
     if (answer.refused.empty()) {
-      have = answer.lastEvent;
+      lastEventOnServer = answer.lastEvent;
     } else {
       reason = wordsFor(answer);
     }
   } catch (const ServerError& error) {
     reason = error.what();
   }
-  fmt::print("{}\n", arrivedInWords(outbox.arrivalsBy(have)));
+  fmt::print("{}\n", arrivedInWords(outbox.arrivalsBy(lastEventOnServer)));
   for (const auto& receipt : receiptsOf(outbox.study(), outbox.station().uuid)) {
     fmt::print("{}\n", wordsFor(receipt));
   }
@@ -189,11 +191,11 @@ void printIncidents(Connection& server) {
   }
 }
 
-Connection connectionOfAdministrator(const StationArguments& given) {
+Connection connectionOfAdministrator(const StationArguments& arguments) {
   try {
-    return Connection(given.server);
+    return Connection(arguments.server);
   } catch (const ServerError& error) {
-    if (!given.server.empty() || error.kind() != ServerError::Kind::Unreachable) throw;
+    if (!arguments.server.empty() || error.kind() != ServerError::Kind::Unreachable) throw;
     throw UserError(
         std::string(error.what()) +
         "\nFor the sessions of a station name the folder of its study: palpate collect status "
@@ -201,10 +203,10 @@ Connection connectionOfAdministrator(const StationArguments& given) {
   }
 }
 
-int statusOfServer(const StationArguments& given) {
-  auto server = connectionOfAdministrator(given);
+int statusOfServer(const StationArguments& arguments) {
+  auto server = connectionOfAdministrator(arguments);
   requireSchema(server);
-  const auto stations = stationsOf(server, given.study);
+  const auto stations = stationsOf(server, arguments.study);
   fmt::print(
       "{:<20} {:<20} {:>8} {:>10} {:>9}  {}\n",
       "site",
@@ -230,8 +232,8 @@ int statusOfServer(const StationArguments& given) {
   return 0;
 }
 
-int status(const StationArguments& given) {
-  return given.folder.empty() ? statusOfServer(given) : statusOfStation(given);
+int status(const StationArguments& arguments) {
+  return arguments.folder.empty() ? statusOfServer(arguments) : statusOfStation(arguments);
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ void inTransaction(Connection& server, const Action& action) {
 /// The first disagreement between the data of a bundle and the audit trail of its station;
 /// std::nullopt: none.
 std::optional<std::string> problemIn(
-    Connection& server, const std::string& study, const Bundle& bundle) {
+    Connection& server, const std::string& study, const BundleHeader& bundle) {
   ServerReader reader(server, study, "a bundle is checked");
   const auto stations = reader.stations();
   const auto station = std::find_if(stations.begin(), stations.end(), [&](const auto& row) {
@@ -225,11 +225,11 @@ IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& fil
   IngestedBundle taken{
       .station = rows.text(0, 1), .before = rows.number(0, 3), .lastEvent = rows.number(0, 3)};
   const auto study = findStudy(server, rows.text(0, 2));
-  Answer answer;
+  ServerAnswer answer;
   const auto take = [&](const auto& text, const auto& chunks) {
     answer = ingest(server, text, chunks);
     if (answer.refused == "gap") {
-      throw Refused(
+      throw PushRefused(
           answer.refused,
           file.string() + " begins with event " + std::to_string(bundle.first) + " of '" +
               taken.station + "', and the server has only " + std::to_string(answer.lastEvent) +
@@ -237,7 +237,7 @@ IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& fil
               "palpate collect bundle --after " +
               std::to_string(answer.lastEvent) + ".");
     }
-    if (!answer.refused.empty()) throw Refused(answer.refused, wordsFor(answer));
+    if (!answer.refused.empty()) throw PushRefused(answer.refused, wordsFor(answer));
     taken.lastEvent = answer.lastEvent;
     taken.erased.insert(taken.erased.end(), answer.erased.begin(), answer.erased.end());
     return true;
@@ -255,7 +255,7 @@ IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& fil
   } catch (const InvalidBundle& error) {
     addIncident(server, bundle.station, "bundle", error.what());
     throw;
-  } catch (const Refused&) {
+  } catch (const PushRefused&) {
     addIncident(server, bundle.station, answer.refused, answer.detail);
     throw;
   }

@@ -52,8 +52,8 @@ EnrolledStation enrolStation(Connection& server, const EnrolmentRequest& request
 /// The result of ingestBundle().
 struct IngestedBundle {
   std::string station;         ///< label
-  std::int64_t before = 0;     ///< the server had all events up to this one
-  std::int64_t lastEvent = 0;  ///< … and has them up to this one
+  std::int64_t before = 0;     ///< before, the server had all events up to this one
+  std::int64_t lastEvent = 0;  ///< the server now has all events up to this one
   std::vector<ErasureReceipt> erased;
 };
 

@@ -57,7 +57,7 @@ constexpr std::array kRefusals{
 
 }  // namespace
 
-std::string wordsFor(const Answer& answer) {
+std::string wordsFor(const ServerAnswer& answer) {
   for (const auto& refusal : kRefusals) {
     if (refusal.name != answer.refused) continue;
     std::string words(refusal.words);

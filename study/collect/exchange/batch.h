@@ -57,7 +57,7 @@ struct Batch {
 std::string asText(const Batch& batch);
 
 /// The server's answer to a batch.
-struct Answer {
+struct ServerAnswer {
   std::int64_t lastEvent = 0;  ///< the server has all events up to this number
   std::int64_t pending = 0;    ///< sessions whose rows the server does not have yet
   std::string head;            ///< hash of event `lastEvent`, hexadecimal; empty: there is none
@@ -67,10 +67,10 @@ struct Answer {
 };
 
 /// Parses an answer. @throws storage::StorageError  for other text.
-Answer answerIn(const std::string& text);
+ServerAnswer answerIn(const std::string& text);
 
 /// The message on a refusal: what it means, and what to do.
-std::string wordsFor(const Answer& answer);
+std::string wordsFor(const ServerAnswer& answer);
 
 /// The message on a receipt, for the operator and the participant.
 std::string wordsFor(const ErasureReceipt& receipt);

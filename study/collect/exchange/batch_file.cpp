@@ -197,7 +197,7 @@ std::string asText(const Batch& batch) {
   return all.dump();
 }
 
-Answer answerIn(const std::string& text) {
+ServerAnswer answerIn(const std::string& text) {
   const auto said = json::parse(text, nullptr, false);
   if (!said.is_object() || !said.contains("have")) refuseBatch("batch");
   const auto textOf = [&](const char* key) {

@@ -185,12 +185,12 @@ class BundleReader {
     return bytes;
   }
 
-  Bundle head() {
+  BundleHeader head() {
     std::string line;
     if (!std::getline(stream_, line)) refuseBundle(path_, "it is empty.");
     std::istringstream words(line);
     std::string first;
-    Bundle bundle;
+    BundleHeader bundle;
     words >> first >> bundle.study >> bundle.station >> bundle.first >> bundle.last;
     if (!words || first != kFirstWord) {
       refuseBundle(path_, "it is no bundle of a station, or one of a later release.");
@@ -235,7 +235,7 @@ std::uint64_t written(
     Outbox& outbox,
     const storage::StationStore& station,
     const std::string& bundleKey,
-    const Bundle& bundle,
+    const BundleHeader& bundle,
     const std::filesystem::path& file) {
   BundleWriter writer(file);
   writer.put(
@@ -257,13 +257,13 @@ std::string bundleKeyOf(const storage::BlindingSecret& secret) {
   return storage::inHexadecimal(box.first);
 }
 
-Bundle writeBundle(
+BundleHeader writeBundle(
     Outbox& outbox,
     const storage::StationStore& station,
     const std::string& bundleKey,
     std::int64_t after,
     const std::filesystem::path& file) {
-  Bundle bundle{
+  BundleHeader bundle{
       .study = outbox.study(),
       .station = outbox.station().uuid,
       .first = after + 1,
@@ -294,7 +294,7 @@ Bundle writeBundle(
   return bundle;
 }
 
-Bundle readBundleHeader(const std::filesystem::path& file) {
+BundleHeader readBundleHeader(const std::filesystem::path& file) {
   return BundleReader(file).head();
 }
 void readBundle(

@@ -22,17 +22,17 @@ namespace study::collect {
 std::string bundleKeyOf(const storage::BlindingSecret& secret);
 
 /// The header of a bundle, and its size.
-struct Bundle {
+struct BundleHeader {
   std::string study;    ///< uuid
   std::string station;  ///< uuid
-  std::int64_t first = 0;
-  std::int64_t last = 0;  ///< events
+  std::int64_t first = 0;  ///< number of the first event in the bundle
+  std::int64_t last = 0;   ///< number of the last event in the bundle
   std::uint64_t bytes = 0;
 };
 
 /// Writes all data after the event @p after to a new file.
 /// @throws UserError  if there is nothing to be sent. @throws storage::StorageError
-Bundle writeBundle(
+BundleHeader writeBundle(
     Outbox& outbox,
     const storage::StationStore& station,
     const std::string& bundleKey,
@@ -47,7 +47,7 @@ class InvalidBundle : public UserError {
 
 /// Reads the header of a bundle. Its study and station are not verified yet.
 /// @throws UserError  if the file is no bundle.
-Bundle readBundleHeader(const std::filesystem::path& file);
+BundleHeader readBundleHeader(const std::filesystem::path& file);
 
 /// Checks the signature of the whole file, then calls @p take with each batch in order: its text,
 /// and the bytes of its chunks. Stops if @p take returns false.

@@ -58,7 +58,7 @@ struct ServerSettings {
   std::string role;
   std::string bundleKey;
 };
-void write(const ServerSettings& home, const std::filesystem::path& folder);
+void write(const ServerSettings& settings, const std::filesystem::path& folder);
 /// @throws UserError  if the study was not made by join().
 ServerSettings serverSettingsOf(const std::filesystem::path& folder);
 

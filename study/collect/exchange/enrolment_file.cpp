@@ -181,8 +181,9 @@ StationEnrolment enrolmentIn(const std::string& text, const storage::StationStor
   return enrolment;
 }
 
-void write(const ServerSettings& home, const std::filesystem::path& folder) {
-  const json content{{"server", home.server}, {"role", home.role}, {"bundle_key", home.bundleKey}};
+void write(const ServerSettings& settings, const std::filesystem::path& folder) {
+  const json content{
+      {"server", settings.server}, {"role", settings.role}, {"bundle_key", settings.bundleKey}};
   writeNewFile((folder / kServerSettingsFile).string(), content.dump(1) + "\n");
 }
 

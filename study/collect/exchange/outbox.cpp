@@ -28,7 +28,7 @@ Outbox::Outbox(const std::filesystem::path& folder, Clock& clock)
   }
   // In this order: a trial's samples are stored before the event of its end.
   study_.database().beginSnapshot();
-  last_ = study_.events().last();
+  lastEvent_ = study_.events().last();
   study_.traces().database().beginSnapshot();
   study_.identities().database().beginSnapshot();
 }
@@ -89,9 +89,9 @@ bool Outbox::sendChunks(const Batch& events, const std::function<bool(const Batc
 }
 
 void Outbox::forEachBatch(std::int64_t after, const std::function<bool(const Batch&)>& send) {
-  while (after < last_) {
+  while (after < lastEvent_) {
     Batch batch = emptyBatch(after);
-    batch.events = study_.events().stored(after, std::min(limits_.events, last_ - after));
+    batch.events = study_.events().stored(after, std::min(limits_.events, lastEvent_ - after));
     if (batch.events.empty()) return;
     addSessions(batch);
     if (!sendChunks(batch, send) || !send(batch)) return;

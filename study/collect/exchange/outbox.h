@@ -23,12 +23,13 @@ class Outbox {
 
   const std::string& study() const noexcept { return study_.uuid(); }
   const Station& station() const noexcept { return study_.station(); }
-  std::int64_t lastEvent() const noexcept { return last_; }
+  std::int64_t lastEvent() const noexcept { return lastEvent_; }
 
   /// The hash of an event, hexadecimal; empty for event 0.
   std::string hashOf(std::int64_t event);
 
-  /// The sessions, and those that have arrived at a server with all events up to @p event.
+  /// The numbers of all sessions, and of the sessions that have arrived at a server that has all
+  /// events up to @p event.
   Arrivals arrivalsBy(std::int64_t event) { return study::arrivalsBy(study_, event); }
 
   /// The largest content of one batch. A batch whose transaction fails is sent again.
@@ -55,7 +56,7 @@ class Outbox {
   bool sendChunks(const Batch& events, const std::function<bool(const Batch&)>& send);
 
   Study study_;
-  std::int64_t last_ = 0;
+  std::int64_t lastEvent_ = 0;
   Limits limits_;
 };
 

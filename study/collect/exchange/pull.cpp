@@ -23,8 +23,8 @@ bool isErased(const storage::SessionTables& facts) {
   return storage::textIn(facts, "session", "state") == nameOf(SessionState::Erased);
 }
 
-/// Adds an erasure of a station to this computer's list, so that copies from earlier pulls are
-/// erased from when they are opened next.
+/// Adds an erasure of a station to this computer's list of erasures. Copies from earlier pulls
+/// repeat the erasures of that list when they are opened next.
 void addToErasureList(const std::string& study, const storage::SessionTables& facts) {
   storage::addListedErasure(
       {.study = study,
@@ -54,10 +54,11 @@ class StationPull {
   PulledStation run() {
     pulled_.label = station_.station.label;
     pulled_.problems = trail_.problems();
-    if (const auto part = trail_.unsignedPart(); !part.empty()) pulled_.problems.push_back(part);
+    if (const auto part = trail_.describeUnsignedPart(); !part.empty())
+      pulled_.problems.push_back(part);
     reader_.forEachSession(station_, [&](const SessionOnServer& session) { take(session); });
     for (const auto& [number, last] : trail_.lastEvents()) {
-      if (seen_.count(number) == 0) pulled_.incomplete.push_back(nameOf(number));
+      if (seenSessions_.count(number) == 0) pulled_.incomplete.push_back(nameOf(number));
     }
     for (const auto& key : keys_) study_.addKey(key.participant, key.key);
     const CollectedStudy::Trail trail{
@@ -65,7 +66,7 @@ class StationPull {
     pulled_.events = trail.events;
     auto events = trail_.takeEvents();
     std::erase_if(events, [&](const storage::StoredEvent& event) {
-      return event.session && taken_.count(*event.session) == 0;
+      return event.session && addedSessions_.count(*event.session) == 0;
     });
     study_.add(trail, std::move(events));
     return std::move(pulled_);
@@ -75,7 +76,7 @@ class StationPull {
   static std::string nameOf(std::int64_t session) { return "session " + std::to_string(session); }
 
   void take(const SessionOnServer& session) {
-    seen_.insert(session.number);
+    seenSessions_.insert(session.number);
     const auto last = trail_.lastEvents().find(session.number);
     if (last == trail_.lastEvents().end() || session.lastEvent > last->second) {
       leaveOut(session.number, "it is not signed");
@@ -122,7 +123,7 @@ class StationPull {
       pulled_.traceBytes += chunk.data.size();
       study_.add(number, chunk);
     }
-    taken_.insert(number);
+    addedSessions_.insert(number);
     ++pulled_.sessions;
     if (!isErased(facts)) return;
     ++pulled_.erased;
@@ -136,8 +137,8 @@ class StationPull {
   std::vector<SentKey> keys_;
   StationTrail trail_;
   PulledStation pulled_;
-  std::set<std::int64_t> seen_;
-  std::set<std::int64_t> taken_;
+  std::set<std::int64_t> seenSessions_;
+  std::set<std::int64_t> addedSessions_;
 };
 
 /// The problems that 'study verify' finds.

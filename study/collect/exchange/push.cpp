@@ -9,21 +9,21 @@
 namespace study::collect {
 namespace {
 
-[[noreturn]] void refuseIn(const Answer& answer) {
-  throw Refused(answer.refused, wordsFor(answer));
+[[noreturn]] void throwRefusal(const ServerAnswer& answer) {
+  throw PushRefused(answer.refused, wordsFor(answer));
 }
 
 /// Requires that the server's last event is in this folder. Otherwise another copy of the folder
 /// was continued, and the server records an incident.
-void requireSame(Outbox& outbox, Connection& server, const Answer& answer) {
-  if (!answer.refused.empty()) refuseIn(answer);
+void requireSameTrail(Outbox& outbox, Connection& server, const ServerAnswer& answer) {
+  if (!answer.refused.empty()) throwRefusal(answer);
   if (answer.lastEvent == 0) return;
   if (answer.lastEvent <= outbox.lastEvent() && outbox.hashOf(answer.lastEvent) == answer.head)
     return;
   const auto said =
       ingest(server, outbox.eventQuery(std::min(answer.lastEvent, outbox.lastEvent())));
-  if (!said.refused.empty()) refuseIn(said);
-  throw Refused(
+  if (!said.refused.empty()) throwRefusal(said);
+  throw PushRefused(
       "older_copy",
       "The server has " + std::to_string(answer.lastEvent) +
           " events of this station, this folder only " + std::to_string(outbox.lastEvent()) +
@@ -34,14 +34,14 @@ void requireSame(Outbox& outbox, Connection& server, const Answer& answer) {
 
 }  // namespace
 
-Answer ingest(Connection& server, const Batch& batch) {
+ServerAnswer ingest(Connection& server, const Batch& batch) {
   const auto text = asText(batch);
   std::vector<std::vector<std::byte>> chunks;
   for (const auto& sent : batch.chunks) chunks.push_back(sent.chunk.data);
   return ingest(server, text, chunks);
 }
 
-Answer ingest(
+ServerAnswer ingest(
     Connection& server,
     const std::string& text,
     const std::vector<std::vector<std::byte>>& chunks) {
@@ -54,14 +54,14 @@ Answer ingest(
 }
 
 PushResult push(
-    Outbox& outbox, Connection& server, const std::function<void(const Answer&)>& sent) {
+    Outbox& outbox, Connection& server, const std::function<void(const ServerAnswer&)>& sent) {
   requireSchema(server);
   auto answer = ingest(server, outbox.lastEventQuery());
-  requireSame(outbox, server, answer);
+  requireSameTrail(outbox, server, answer);
   PushResult pushed{.before = answer.lastEvent, .lastEvent = answer.lastEvent};
   outbox.forEachBatch(answer.lastEvent, [&](const Batch& batch) {
     answer = ingest(server, batch);
-    if (!answer.refused.empty()) refuseIn(answer);
+    if (!answer.refused.empty()) throwRefusal(answer);
     pushed.lastEvent = answer.lastEvent;
     ++pushed.batches;
     pushed.erased.insert(pushed.erased.end(), answer.erased.begin(), answer.erased.end());

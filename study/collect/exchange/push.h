@@ -23,9 +23,10 @@ struct PushResult {
 };
 
 /// The server refuses what a station sends. what() says why, and what to do.
-class Refused : public UserError {
+class PushRefused : public UserError {
  public:
-  Refused(std::string name, const std::string& what) : UserError(what), name_(std::move(name)) {}
+  PushRefused(std::string name, const std::string& what)
+      : UserError(what), name_(std::move(name)) {}
 
   /// the server's name of the refusal: "fork", "revoked"; "older_copy": the server has more events
   /// of this station than this folder
@@ -39,15 +40,15 @@ class Refused : public UserError {
 /// from the last event of the server; data that are sent twice change nothing.
 /// @param sent  called after each batch; an exception that it throws ends the push.
 /// @throws ServerError  (Release) if the server's schema is older or newer than this program's;
-///     nothing is sent then. @throws Refused
+///     nothing is sent then. @throws PushRefused
 PushResult push(
-    Outbox& outbox, Connection& server, const std::function<void(const Answer&)>& sent = {});
+    Outbox& outbox, Connection& server, const std::function<void(const ServerAnswer&)>& sent = {});
 
 /// Sends one batch (the server's function ingest). @throws ServerError
-Answer ingest(Connection& server, const Batch& batch);
+ServerAnswer ingest(Connection& server, const Batch& batch);
 
 /// Sends a batch that is text already, with the bytes of its chunks.
-Answer ingest(
+ServerAnswer ingest(
     Connection& server, const std::string& text, const std::vector<std::vector<std::byte>>& chunks);
 
 }  // namespace study::collect

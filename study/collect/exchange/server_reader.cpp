@@ -81,7 +81,7 @@ Snapshot::~Snapshot() {
 }
 
 Rows ServerReader::query(const std::string& statement, const std::vector<Parameter>& parameters) {
-  const std::lock_guard lock(oneQuery_);
+  const std::lock_guard lock(queryMutex_);
   return server_.query(statement, parameters);
 }
 

@@ -68,7 +68,7 @@ class ServerReader {
   std::vector<protocols::LoadedProtocol> protocols();
   Rows query(const std::string& statement, const std::vector<Parameter>& parameters);
 
-  std::mutex oneQuery_;  ///< a connection takes one query at a time
+  std::mutex queryMutex_;  ///< a connection takes one query at a time
   Connection& server_;
   std::string ticket_;
 };

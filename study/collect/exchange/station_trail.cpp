@@ -143,7 +143,7 @@ void StationTrail::checkTrail(
   if (signedUpTo_ < static_cast<std::int64_t>(events_.size())) database_ = upTo(signedUpTo_);
 }
 
-std::string StationTrail::unsignedPart() const {
+std::string StationTrail::describeUnsignedPart() const {
   const auto last = static_cast<std::int64_t>(events_.size());
   if (last == signedUpTo_) return {};
   return "events " + std::to_string(signedUpTo_ + 1) + " to " + std::to_string(last) +

@@ -42,7 +42,7 @@ class StationTrail {
   std::int64_t signedUpTo() const noexcept { return signedUpTo_; }
 
   /// A message on the events after signedUpTo(); empty: there are none.
-  std::string unsignedPart() const;
+  std::string describeUnsignedPart() const;
 
   /// The last event of each session, as far as it is signed.
   const std::map<std::int64_t, std::int64_t>& lastEvents() const noexcept { return lastEvents_; }

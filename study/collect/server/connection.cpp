@@ -35,7 +35,8 @@ constexpr std::array kSettings{
     Setting{"tcp_user_timeout", "60000"},  // [ms]
     Setting{"fallback_application_name", "palpate"}};
 
-/// A message of libpq without its prefix (what it tried) and without line feeds at its end.
+/// A message of libpq without its prefix, which says what libpq tried, and without line feeds at
+/// its end.
 std::string sentence(const char* message) {
   std::string text = message == nullptr ? "" : message;
   // Our messages add their own full stop.
@@ -157,7 +158,7 @@ std::string wordsFor(Kind kind, const std::string& where, const std::string& sai
 
 /// The SQLSTATE in a message of PQERRORS_SQLSTATE: "… failed: FATAL:  28000". Two spaces follow the
 /// word for "fatal" of any language.
-std::string stateIn(const std::string& said) {
+std::string sqlStateIn(const std::string& said) {
   constexpr std::size_t kDigits = 5;
   const auto at = said.rfind(":  ");
   return at == std::string::npos ? std::string() : said.substr(at + 3, kDigits);
@@ -307,20 +308,20 @@ Connection::Connection(const std::string& server, const std::string& user) {
 void Connection::connectAgain() {
   auto* connection = connection_.get();
   const auto said = sentence(PQerrorMessage(connection));
-  const bool serverSpoke = !stateIn(said).empty();
+  const bool serverSpoke = !sqlStateIn(said).empty();
   auto kind = loginProblemIn(said).empty() ? Kind::Unreachable : Kind::LoginRefused;
   if (serverSpoke) {
     PQsetErrorVerbosity(connection, PQERRORS_SQLSTATE);
     PQreset(connection);
     PQsetErrorVerbosity(connection, PQERRORS_DEFAULT);
     if (PQstatus(connection) == CONNECTION_OK) return;
-    kind = kindOf(stateIn(sentence(PQerrorMessage(connection))), true);
+    kind = kindOf(sqlStateIn(sentence(PQerrorMessage(connection))), true);
   }
   throw ServerError(kind, wordsFor(kind, description(), said));
 }
 
 void Connection::execute(const std::string& statements) {
-  answer(PQsendQuery(connection_.get(), statements.c_str()) == 1);
+  receiveResult(PQsendQuery(connection_.get(), statements.c_str()) == 1);
 }
 
 Rows Connection::query(const std::string& statement, const std::vector<Parameter>& parameters) {
@@ -333,7 +334,7 @@ Rows Connection::query(const std::string& statement, const std::vector<Parameter
     sizes.push_back(value ? static_cast<int>(value->size()) : 0);
     formats.push_back(parameter.isBinary() ? 1 : 0);
   }
-  return answer(
+  return receiveResult(
       PQsendQueryParams(
           connection_.get(),
           statement.c_str(),
@@ -373,7 +374,7 @@ bool Connection::isBusy() {
 }
 
 /// Waits for the result: the rows of the last statement. Throws the first error.
-Rows Connection::answer(bool wasSent) {
+Rows Connection::receiveResult(bool wasSent) {
   std::unique_ptr<pg_result, decltype(&PQclear)> last(nullptr, &PQclear);
   while (wasSent) {
     while (isBusy()) continue;

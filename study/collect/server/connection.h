@@ -126,7 +126,7 @@ class Connection {
   };
   void connectAgain();
   bool isBusy();
-  Rows answer(bool wasSent);
+  Rows receiveResult(bool wasSent);
   Rows checked(pg_result* result);
 
   std::unique_ptr<pg_conn, ConnectionDeleter> connection_;

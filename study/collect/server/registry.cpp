@@ -9,7 +9,7 @@
 namespace study::collect {
 namespace {
 
-constexpr const char* kUtc = R"('YYYY-MM-DD"T"HH24:MI:SS.MS"Z"')";
+constexpr const char* kUtcFormat = R"('YYYY-MM-DD"T"HH24:MI:SS.MS"Z"')";
 
 /// A name in SQL cannot contain '-' without quotation marks.
 std::string roleNamed(const std::string& prefix, std::string name) {
@@ -129,7 +129,7 @@ AddedStation addStation(Connection& server, const std::string& study, const NewS
       std::string("INSERT INTO palpate.station (study, uuid, site, label, role, key, expires) "
                   "VALUES ($1, $2, $3, $4, $5, $6, now() + $7::integer * interval '1 day') "
                   "RETURNING to_char(expires AT TIME ZONE 'UTC', ") +
-          kUtc + ")",
+          kUtcFormat + ")",
       {study,
        station.uuid,
        station.site,
@@ -146,7 +146,7 @@ void revokeStation(
     const std::string& label,
     const std::string& reason) {
   const auto before = server.query(
-      std::string("SELECT to_char(revoked AT TIME ZONE 'UTC', ") + kUtc +
+      std::string("SELECT to_char(revoked AT TIME ZONE 'UTC', ") + kUtcFormat +
           "), revoked_reason FROM palpate.station WHERE study = $1 AND label = $2",
       {study, label});
   if (before.isEmpty()) throw UserError("There is no station named '" + label + "' in this study.");
@@ -176,7 +176,7 @@ std::vector<StationStatus> stationsOf(Connection& server, const std::string& stu
   const auto rows = server.query(
       std::string("SELECT site, station, events, sessions, incidents, to_char(last_contact AT TIME "
                   "ZONE 'UTC', ") +
-          kUtc +
+          kUtcFormat +
           "), revoked IS NOT NULL, set_aside IS NOT NULL FROM palpate.stations WHERE $1 IN ('', "
           "study_name) "
           "ORDER BY study_name, station",
@@ -209,7 +209,7 @@ void addIncident(
 
 std::vector<Incident> incidentsOf(Connection& server, int most) {
   const auto rows = server.query(
-      std::string("SELECT to_char(i.at AT TIME ZONE 'UTC', ") + kUtc +
+      std::string("SELECT to_char(i.at AT TIME ZONE 'UTC', ") + kUtcFormat +
           "), i.role, coalesce(s.label, ''), i.what, i.detail FROM palpate.incident AS i "
           "LEFT JOIN palpate.station AS s ON s.id = i.station ORDER BY i.id DESC LIMIT $1",
       {std::int64_t{most}});

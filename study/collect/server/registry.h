@@ -54,7 +54,7 @@ struct NewStation {
   int days = 30;    ///< days in which it has to push for the first time
 };
 struct AddedStation {
-  std::string role;        ///< with which the station logs in
+  std::string role;        ///< role with which the station logs in
   std::string expiresUtc;  ///< until when its enrolment may be used (ISO 8601)
 };
 /// Adds a station and its role, station_<label>, without a password.
@@ -103,7 +103,7 @@ void addIncident(
 /// A refused request.
 struct Incident {
   std::string at;       ///< UTC, ISO 8601
-  std::string role;     ///< that sent the request
+  std::string role;     ///< role that sent the request
   std::string station;  ///< label; empty: unknown
   std::string what;
   std::string detail;

@@ -386,7 +386,7 @@ TEST_F(ServerFaults, OfTwoComputersFromOneBackupOneIsEnrolledAgain) {
   try {
     push("twin");
     FAIL() << "both were taken";
-  } catch (const study::collect::Refused& refused) {
+  } catch (const study::collect::PushRefused& refused) {
     EXPECT_EQ(refused.name(), "fork");
     EXPECT_NE(
         std::string(refused.what()).find("ask for an enrolment of its own"), std::string::npos);
