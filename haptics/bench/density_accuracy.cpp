@@ -20,7 +20,7 @@ using reaming::ContactMatrix;
 using reaming::DensityFit;
 
 constexpr const char* kDensityFamily = "density";
-constexpr const char* kBounded = "palpate, bounded least squares";
+constexpr const char* kBoundedLeastSquares = "palpate, bounded least squares";
 constexpr std::size_t kDepths = 400;
 constexpr int kSeeds = 5;
 
@@ -31,7 +31,7 @@ struct Problem {
 };
 
 /// A packing of @p count spheres and the forces of a synthetic dynamic series.
-Problem problemOf(std::size_t count) {
+Problem syntheticProblem(std::size_t count) {
   const auto packing = *reaming::pack(reaming::Acetabulum(), {.count = count});
   const std::vector<double> ones(packing.spheres.size(), 1.0);
   const auto plunge = reaming::plungePathInto(reaming::SphereField(packing, ones), 0.026);
@@ -73,7 +73,7 @@ void timeFit(
 }
 
 /// Eigen's conjugate gradients for least squares; negative densities are set to 0 afterwards.
-DensityFit leastSquares(const Problem& problem, int iterations) {
+DensityFit eigenLeastSquares(const Problem& problem, int iterations) {
   const auto& m = problem.matrix;
   Eigen::SparseMatrix<double> a(
       static_cast<Eigen::Index>(m.rows), static_cast<Eigen::Index>(m.columns()));
@@ -130,7 +130,7 @@ void fitLayers(const Problem& problem, std::size_t layers, const AccuracyRun& ru
       reaming::summedByLayer(problem.matrix, reaming::layersOf(problem.matrix, layers), layers);
   const std::vector<double> prior(layers, problem.uniform.front());
   const auto parameter = static_cast<double>(layers);
-  timeFit("layers", kBounded, parameter, run, [&] {
+  timeFit("layers", kBoundedLeastSquares, parameter, run, [&] {
     return reaming::fitNonNegative(few, problem.forces, prior, 1e-9);
   });
   if (!run.isShortRun) timeSwarms("layers", few, problem.forces, 500, parameter, run);
@@ -139,11 +139,11 @@ void fitLayers(const Problem& problem, std::size_t layers, const AccuracyRun& ru
 }  // namespace
 
 void measureDensity(const AccuracyRun& run) {
-  const Problem problem = problemOf(run.isShortRun ? 5000 : 201'532);
+  const Problem problem = syntheticProblem(run.isShortRun ? 5000 : 201'532);
   const std::string all = "all spheres";
   for (const double weight : {1e-2, 1e-4, 1e-6}) {
     double gap = 0.0;
-    timeFit(all, kBounded, weight, run, [&] {
+    timeFit(all, kBoundedLeastSquares, weight, run, [&] {
       auto fit = reaming::fitNonNegative(problem.matrix, problem.forces, problem.uniform, weight);
       gap = std::max(fit.gap, 0.0);
       return fit;
@@ -151,7 +151,7 @@ void measureDensity(const AccuracyRun& run) {
     run.report(
         {.family = kDensityFamily,
          .setting = "above the optimum, at most",
-         .method = kBounded,
+         .method = kBoundedLeastSquares,
          .parameter = weight,
          .error = gap,
          .bound = 0.01});
@@ -163,7 +163,7 @@ void measureDensity(const AccuracyRun& run) {
       return reaming::fitMultiplicative(problem.matrix, problem.forces, problem.uniform, n);
     });
     timeFit(all, "Eigen LSCG, cut off at 0", iterations, run, [&, n = iterations] {
-      return leastSquares(problem, n);
+      return eigenLeastSquares(problem, n);
     });
   }
   constexpr int kSwarmIterations = 8;

@@ -18,8 +18,9 @@
 namespace haptics::bench {
 namespace {
 
-// Bound for schemes that use the two forces alternately, such as paper-text: the largest step of
-// the force with quantised travel, and its largest amplitude with a resting hand [N].
+// For schemes that use the two forces alternately, such as paper-text: the bound of the largest
+// change of force between two ticks with quantised travel, and of the largest amplitude with a
+// resting hand [N].
 constexpr double kPublishedChatter = 4.0;
 
 using Scenes = std::vector<std::pair<std::string, engine::SceneSpec>>;
@@ -59,8 +60,8 @@ class ScriptedDevice final : public devices::Device {
   devices::Capabilities capabilities_ = devices::simulated(devices::punchKind());
 };
 
-/// Relative deviation of the mean error of a force that is held over each tick from K v T / 2 of
-/// eq. (25), while the tool closes at constant speed through elastic tissue.
+/// The tool closes at constant speed through elastic tissue, and the force is held over each tick.
+/// Returns the relative deviation of its mean error from K v T / 2, which eq. (25) predicts.
 double forceErrorAgainstEquation(double rate) {
   constexpr double kSpeed = 57.0;
   constexpr int kInside = 200;
@@ -253,7 +254,7 @@ void sweepBadInput(double effort, StabilityResult& result) {
     // the tool opens, then closes to 5 travel units. Compare means of two ticks, because the
     // scheme paper-text alternates between two forces, and which comes first depends on the number
     // of valid ticks before.
-    const auto feelAtFive = [](engine::ForceEngine& what, ScriptedDevice& through) {
+    const auto forceAtFive = [](engine::ForceEngine& what, ScriptedDevice& through) {
       what.arm();
       through.sample = {.status = devices::DeviceStatus::Ok, .travel = 0.0};
       for (int i = 0; i < 300; ++i) what.tick(1e-3);
@@ -266,12 +267,12 @@ void sweepBadInput(double effort, StabilityResult& result) {
       what.tick(1e-3);
       return 0.5 * (before + through.commanded);
     };
-    const double after = feelAtFive(engine, device);
+    const double after = forceAtFive(engine, device);
     ScriptedDevice fresh;
     engine::ForceEngine unaffected(fresh, kLimits);
     engine::CompiledScene same(spec);
     unaffected.setScene(&same);
-    const double usual = feelAtFive(unaffected, fresh);
+    const double usual = forceAtFive(unaffected, fresh);
     checks.add(
         "forces that are no number or too large, " + name, 0.0, static_cast<double>(wrong), 0.0);
     checks.add(

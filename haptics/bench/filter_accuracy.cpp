@@ -18,14 +18,14 @@ using filters::CutoffRule;
 using reaming::NodeRule;
 
 constexpr const char* kFilterFamily = "filter";
-// Bounds of the ratio of the automatic cut-off's error to the best cut-off's, and of the number of
-// greedy nodes to the fewest possible.
+// Largest allowed ratio of the error with the automatic cut-off to that with the best cut-off, and
+// of the number of greedy nodes to the smallest possible number.
 constexpr double kMostTimesTheBestCutoff = 4.0;
 constexpr double kMostTimesTheFewestNodes = 2.0;
 
 /// The median time of several repetitions [ns].
 template <typename Work>
-double nanoseconds(Work work, int repetitions = 7) {
+double medianNanoseconds(Work work, int repetitions = 7) {
   std::vector<double> times;
   for (int i = 0; i < repetitions; ++i) {
     const auto start = std::chrono::steady_clock::now();
@@ -37,7 +37,7 @@ double nanoseconds(Work work, int repetitions = 7) {
   return times[times.size() / 2];
 }
 
-double rms(const std::vector<double>& a, const std::vector<double>& b) {
+double rmsDifference(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
   return std::sqrt(sum / static_cast<double>(a.size()));
@@ -45,10 +45,11 @@ double rms(const std::vector<double>& a, const std::vector<double>& b) {
 
 /// The smallest error of many cut-offs, compared with the noiseless curve.
 double bestOfAllCutoffs(const reaming::Series& series, const reaming::Series& truth) {
-  double best = rms(series.force, truth.force);
+  double best = rmsDifference(series.force, truth.force);
   for (double cutoff = 0.005; cutoff < 20.0; cutoff *= 1.15) {
     best = std::min(
-        best, rms(filters::zeroPhaseLowPass(series.force, series.rate, cutoff), truth.force));
+        best,
+        rmsDifference(filters::zeroPhaseLowPass(series.force, series.rate, cutoff), truth.force));
   }
   return best;
 }
@@ -71,13 +72,13 @@ void measureCutoffs(const AccuracyRun& run) {
   const double best = bestOfAllCutoffs(series, truth);
   for (const auto rule : {CutoffRule::Floor, CutoffRule::Plain}) {
     std::vector<double> filtered;
-    const double time = nanoseconds([&] {
+    const double time = medianNanoseconds([&] {
       const double cutoff = filters::cutoffOf(series.force, series.rate, rule);
       filtered = filters::zeroPhaseLowPass(series.force, series.rate, cutoff);
     });
     const bool isOurs = rule == CutoffRule::Floor;
     add(isOurs ? "detrended-hann" : "plain",
-        rms(filtered, truth.force),
+        rmsDifference(filtered, truth.force),
         isOurs ? std::optional(kMostTimesTheBestCutoff * best) : std::nullopt,
         time);
   }
@@ -100,7 +101,7 @@ reaming::Series longSeries() {
 
 void measurePreparation(const AccuracyRun& run) {
   const auto series = longSeries();
-  const double prepare = nanoseconds([&] {
+  const double prepare = medianNanoseconds([&] {
     const double cutoff = filters::cutoffOf(series.force, series.rate, CutoffRule::Floor);
     const auto filtered = filters::zeroPhaseLowPass(series.force, series.rate, cutoff);
     const auto curve = reaming::normalised(reaming::curveOver(series.displacement, filtered), 2001);
@@ -152,9 +153,10 @@ void measureNodes(const AccuracyRun& run) {
       return static_cast<double>(reaming::chooseNodes(curve, nodeCriterion).nodes.size());
     };
     double greedy = 0.0;
-    const double time = nanoseconds([&] { greedy = count(many, NodeRule::Greedy); });
+    const double time = medianNanoseconds([&] { greedy = count(many, NodeRule::Greedy); });
     double optimal = 0.0;
-    const double timeOfOptimal = nanoseconds([&] { optimal = count(few, NodeRule::Optimal); }, 1);
+    const double timeOfOptimal =
+        medianNanoseconds([&] { optimal = count(few, NodeRule::Optimal); }, 1);
     add("greedy, 200,000 samples", greedy, kMostTimesTheFewestNodes * optimal, time);
     add("optimal, 1000 samples", optimal, std::nullopt, timeOfOptimal);
   }

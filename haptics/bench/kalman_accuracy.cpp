@@ -47,10 +47,10 @@ struct OurCovariance {
   Scalar f{}, z{};
   KalmanNoiseValues n;
 
-  explicit OurCovariance(const KalmanNoiseValues& numbers)
-      : q(noiseOf<Scalar>(numbers).factored().process), n(numbers) {
+  explicit OurCovariance(const KalmanNoiseValues& noiseValues)
+      : q(noiseOf<Scalar>(noiseValues).factored().process), n(noiseValues) {
     p.set(models::FactoredVariances<Scalar>::of(
-        Scalar(numbers.start11), Scalar(0), Scalar(numbers.start22)));
+        Scalar(noiseValues.start11), Scalar(0), Scalar(noiseValues.start22)));
   }
   Scalar step(Scalar d, Scalar elastic, Scalar recorded) {
     f += z * d;
@@ -130,8 +130,8 @@ struct HostileInput {
   double magnitude() {
     return std::pow(10.0, std::uniform_real_distribution<double>(-decades, decades)(random));
   }
-  KalmanNoiseValues numbers() {
-    // No process noise: only then do rounding errors of the forms of the update show.
+  KalmanNoiseValues noiseValues() {
+    // No process noise: it would hide the rounding errors in which the forms of the update differ.
     return {0.0, 0.0, 0.0, magnitude(), magnitude(), magnitude(), magnitude()};
   }
   double travelled() { return magnitude() * (random() % 2 == 0 ? 1.0 : -1.0); }
@@ -176,7 +176,7 @@ void reportErrorsOnHostileInput(double decades, const AccuracyRun& run) {
   constexpr std::size_t kPalpateFilters = 2;  // the first in names
   std::vector<Tally> tallies(names.size());
   for (int i = 0; i < kFilters; ++i) {
-    const auto n = hostile.numbers();
+    const auto n = hostile.noiseValues();
     std::vector<double> travelled(kSteps);
     for (auto& d : travelled) d = static_cast<double>(static_cast<float>(hostile.travelled()));
     // The reference is the standard form with 100 digits.

@@ -14,7 +14,7 @@ namespace haptics::bench {
 namespace {
 
 constexpr char kSeparator = '\t';
-constexpr const char* kNothing = "-";
+constexpr const char* kNoValue = "-";
 
 std::string asText(double value) {
   char text[32];
@@ -23,10 +23,10 @@ std::string asText(double value) {
 }
 
 std::string asTextOrDash(const std::optional<double>& value) {
-  return value ? asText(*value) : kNothing;
+  return value ? asText(*value) : kNoValue;
 }
 
-std::optional<double> number(const std::string& text) {
+std::optional<double> numberFrom(const std::string& text) {
   double value = 0.0;
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, value);
@@ -73,7 +73,7 @@ std::string asLine(const Measurement& m) {
                      asText(m.parameter) + kSeparator;
   line += asTextOrDash(m.error) + kSeparator + asTextOrDash(m.bound) + kSeparator;
   line += m.time ? asText(m.time->median) + kSeparator + asText(m.time->p99)
-                 : std::string(kNothing) + kSeparator + kNothing;
+                 : std::string(kNoValue) + kSeparator + kNoValue;
   return line;
 }
 
@@ -81,28 +81,28 @@ std::optional<Measurement> fromLine(const std::string& line) {
   constexpr std::size_t kFields = 8;
   const auto fields = fieldsOf(line);
   if (fields.size() != kFields) return std::nullopt;
-  const auto parameter = number(fields[3]);
+  const auto parameter = numberFrom(fields[3]);
   if (!parameter) return std::nullopt;
   Measurement m{
       .family = fields[0],
       .setting = fields[1],
       .method = fields[2],
       .parameter = *parameter,
-      .error = number(fields[4]),
-      .bound = number(fields[5])};
-  const auto median = number(fields[6]);
-  const auto p99 = number(fields[7]);
+      .error = numberFrom(fields[4]),
+      .bound = numberFrom(fields[5])};
+  const auto median = numberFrom(fields[6]);
+  const auto p99 = numberFrom(fields[7]);
   if (median && p99) m.time = Timing{*median, *p99};
   return m;
 }
 
-std::vector<Repeated> mergedOverProcesses(const std::vector<Measurement>& measurements) {
+std::vector<RepeatedMeasurement> mergedOverProcesses(const std::vector<Measurement>& measurements) {
   struct Times {
     std::vector<double> medians;
     std::vector<double> p99s;
   };
   std::map<std::string, std::size_t> places;
-  std::vector<Repeated> all;
+  std::vector<RepeatedMeasurement> all;
   std::vector<Times> times;
   for (const auto& m : measurements) {
     const std::string key = m.family + kSeparator + m.setting + kSeparator + m.method + kSeparator +
@@ -136,7 +136,7 @@ std::string firstLineOf(const char* path) {
   return line;
 }
 
-std::string processor() {
+std::string processorName() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
     if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
@@ -144,7 +144,7 @@ std::string processor() {
   return "not known";
 }
 
-std::string kernel() {
+std::string kernelVersion() {
   utsname name{};
   if (uname(&name) != 0) return "not known";
   return std::string(name.sysname) + " " + name.release + " " + name.machine;
@@ -156,8 +156,8 @@ std::vector<std::pair<std::string, std::string>> describeMachine() {
   const std::string governor = firstLineOf("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
   return {
       {"processor",
-       processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " in use"},
-      {"kernel", kernel()},
+       processorName() + ", " + std::to_string(std::thread::hardware_concurrency()) + " in use"},
+      {"kernel", kernelVersion()},
       {"frequency governor",
        governor.empty() ? "not told (as in most virtual machines)" : governor},
       {"load (1, 5, 15 min)", firstLineOf("/proc/loadavg").substr(0, 14)},

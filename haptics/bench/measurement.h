@@ -72,14 +72,14 @@ void measurePacking(const AccuracyRun& run);
 /// gradients and a particle swarm.
 void measureDensity(const AccuracyRun& run);
 
-/// Converts a measurement to a line of text for another process, and back; std::nullopt for other
-/// lines.
+/// asLine() converts a measurement to a line of text for another process, and fromLine() converts
+/// it back. fromLine() returns std::nullopt for a line that is no measurement.
 std::string asLine(const Measurement& measurement);
 std::optional<Measurement> fromLine(const std::string& line);
 
-/// A measurement that several processes repeated, since the memory layout of a process, which is
-/// fixed while it runs, can make it faster or slower than others.
-struct Repeated {
+/// A measurement that was repeated in several processes. The memory layout of a process is fixed
+/// while it runs, and can make that process faster or slower than others.
+struct RepeatedMeasurement {
   Measurement measurement;  ///< times are medians over the processes
   double fastest = 0.0;     ///< smallest median of a process [ns]
   double slowest = 0.0;     ///< largest median of a process [ns]
@@ -87,7 +87,7 @@ struct Repeated {
 };
 
 /// Merges repeated measurements, in the order in which each first occurs.
-std::vector<Repeated> mergedOverProcesses(const std::vector<Measurement>& measurements);
+std::vector<RepeatedMeasurement> mergedOverProcesses(const std::vector<Measurement>& measurements);
 
 /// Describes the machine and the build: processor, kernel, governor, load, compiler, compared
 /// libraries. Pairs of name and text.

@@ -39,7 +39,7 @@ std::vector<const StabilityKernels*> availableKernels() {
   return kernels;
 }
 
-int share(double effort, int whole) {
+int scaledCount(double effort, int whole) {
   return std::max(1, static_cast<int>(std::lround(effort * whole)));
 }
 
@@ -114,7 +114,7 @@ void sweepFiniteElements(double effort, StabilityResult& result) {
   constexpr double kFloatBound = 1e-6;    // 8 units in the last place
   const auto kernels = availableKernels();
   for (const int elements : {1, 2, 5, 15, 100, 1000, 12'445}) {
-    const int chains = share(effort, elements > 1000 ? 1 : elements > 100 ? 4 : 40);
+    const int chains = scaledCount(effort, elements > 1000 ? 1 : elements > 100 ? 4 : 40);
     for (const int decades : {1, 2, 3, 4, 6, 8, 10, 12}) {
       if (elements > 1000 && decades % 6 != 0) continue;
       const auto worst = worstChains(elements, decades, chains);
@@ -201,8 +201,9 @@ void sweepFilter(double effort, StabilityResult& result) {
       for (const bool hasProcess : {true, false}) {
         const std::string q = hasProcess ? "" : ", Q = 0";
         const auto inDouble =
-            stressTestAll(*kernels, decades, hasProcess, false, share(effort, 600));
-        const auto inFloat = stressTestAll(*kernels, decades, hasProcess, true, share(effort, 600));
+            stressTestAll(*kernels, decades, hasProcess, false, scaledCount(effort, 600));
+        const auto inFloat =
+            stressTestAll(*kernels, decades, hasProcess, true, scaledCount(effort, 600));
         checks.add(
             "negative variances, double" + q,
             decades,
@@ -271,7 +272,7 @@ void sweepSplines(double effort, StabilityResult& result) {
     for (const double decades : {0.0, 3.0, 9.0, 15.0, 100.0, 300.0}) {
       std::uniform_real_distribution<double> exponent(-decades, decades);
       int wrong = 0;
-      const int cases = share(effort, 20'000);
+      const int cases = scaledCount(effort, 20'000);
       for (int i = 0; i < cases; ++i) {
         const double x = std::pow(10.0, exponent(random));
         const double a[3]{0.0, std::pow(10.0, exponent(random)), 0.0};
@@ -303,7 +304,7 @@ void sweepSplines(double effort, StabilityResult& result) {
   }
   // Monotone slopes for two, three and more nodes, some very close to each other.
   double worst = 0.0;
-  for (int i = 0; i < share(effort, 2000); ++i) {
+  for (int i = 0; i < scaledCount(effort, 2000); ++i) {
     const int count = 2 + i % 11;
     std::vector<double> xs{0.0};
     std::vector<double> ys{0.0};

@@ -31,7 +31,7 @@ double depthOf(std::size_t step) {
 }
 
 /// A loop over all groups of spheres with the same kernel, without the search by cells.
-double overAll(const SphereField& field, const reaming::Reamer& reamer) {
+double pressingOverAll(const SphereField& field, const reaming::Reamer& reamer) {
   const reaming::GroupRange all{0, static_cast<std::uint32_t>(field.groups().size())};
   const reaming::KernelReamer tool{
       .z = static_cast<float>(reamer.centre.z), .radius = static_cast<float>(reamer.radius)};
@@ -41,13 +41,13 @@ double overAll(const SphereField& field, const reaming::Reamer& reamer) {
 }
 
 /// Largest deviation of the contact area from its mean while the reamer advances [%].
-double ripple(const SphereField& field, const PlungePath& plunge) {
+double areaRipple(const SphereField& field, const PlungePath& plunge) {
   std::vector<double> areas;
   double mean = 0.0;
-  constexpr int kPlaces = 400;
-  for (int i = 0; i < kPlaces; ++i) {
-    areas.push_back(field.touch(plunge.at(0.006 + 0.006 * i / kPlaces), false).area);
-    mean += areas.back() / kPlaces;
+  constexpr int kDepthCount = 400;
+  for (int i = 0; i < kDepthCount; ++i) {
+    areas.push_back(field.touch(plunge.at(0.006 + 0.006 * i / kDepthCount), false).area);
+    mean += areas.back() / kDepthCount;
   }
   double worst = 0.0;
   for (const double area : areas) worst = std::max(worst, std::abs(area / mean - 1.0));
@@ -57,10 +57,10 @@ double ripple(const SphereField& field, const PlungePath& plunge) {
 Contestant contestant(
     const std::string& name,
     const PlungePath& plunge,
-    std::function<double(const reaming::Reamer&)> felt) {
-  return {name, [felt = std::move(felt), plunge, next = std::size_t{0}](int steps) mutable {
+    std::function<double(const reaming::Reamer&)> response) {
+  return {name, [response = std::move(response), plunge, next = std::size_t{0}](int steps) mutable {
             double sum = 0.0;
-            for (int i = 0; i < steps; ++i) sum += felt(plunge.at(depthOf(next++)));
+            for (int i = 0; i < steps; ++i) sum += response(plunge.at(depthOf(next++)));
             return sum;
           }};
 }
@@ -74,7 +74,7 @@ double largestDifference(const SphereField& field, const PlungePath& plunge) {
   double largest = 0.0;
   for (std::size_t step = 0; step < 300; ++step) {
     const auto reamer = plunge.at(depthOf(step));
-    const double all = overAll(field, reamer);
+    const double all = pressingOverAll(field, reamer);
     largest = std::max(largest, std::abs(field.touch(reamer, false).pressing / all - 1.0));
   }
   return largest;
@@ -94,15 +94,16 @@ void compareContacts(const Packing& packing, const AccuracyRun& run) {
        .bound = 1e-5});
   std::vector<Contestant> contestants{
       contestant("palpate", plunge, [&](const auto& r) { return field.touch(r, false).pressing; }),
-      contestant(
-          "all of them, same loop", plunge, [&](const auto& r) { return overAll(field, r); })};
+      contestant("all of them, same loop", plunge, [&](const auto& r) {
+        return pressingOverAll(field, r);
+      })};
   const auto peers = peers::spherePeers(packing, densities);
   for (const auto& peer : peers) {
     contestants.push_back(
         contestant(peer->name(), plunge, [&](const auto& r) { return peer->pressing(r); }));
   }
   constexpr int kColdRounds = 41;
-  const double error = ripple(field, plunge);
+  const double error = areaRipple(field, plunge);
   const std::pair<const char*, std::vector<std::optional<Timing>>> settings[]{
       {"contact", run.times(contestants)},
       {"contact, cold", run.coldTimes(contestants, kColdRounds)}};
@@ -143,9 +144,9 @@ void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
     for (auto& word : other) sum += word++;
     depth += kFeed * kTick;
     const auto start = Clock::now();
-    const auto felt = bone.step(plunge.at(depth), kTick);
+    const auto response = bone.step(plunge.at(depth), kTick);
     times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - start).count());
-    sum += felt.contact.touched > 0 ? 1U : 0U;
+    sum += response.contact.touched > 0 ? 1U : 0U;
   }
   [[maybe_unused]] static volatile std::uint64_t sink = 0;
   sink = sum;

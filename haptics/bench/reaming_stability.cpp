@@ -27,7 +27,7 @@ struct Run {
   Run(const Packing& packing, const std::vector<double>& densities, BoneOptions options)
       : bone(packing, densities, withCoverage(options, packing)),
         plunge(reaming::plungePathInto(bone.field(), kReamerRadius)),
-        whole(bone.remainingMass()),
+        initialMass(bone.remainingMass()),
         coupling(options.coupling) {
     for (int i = 0; i < 50; ++i) bone.step(plunge.at(-0.0005), kTick);
   }
@@ -47,7 +47,7 @@ struct Run {
   }
   double massError() const {
     const double now = bone.remainingMass() + bone.removedMass();
-    return whole > 0.0 ? std::abs(now / whole - 1.0) : std::abs(now);
+    return initialMass > 0.0 ? std::abs(now / initialMass - 1.0) : std::abs(now);
   }
   /// Number of groups that a step reads with the tool at @p depth, a measure of its cost.
   double groupsRead(double depth) const {
@@ -59,7 +59,7 @@ struct Run {
 
   Bone bone;
   PlungePath plunge;
-  double whole;
+  double initialMass;
   double coupling;
   double largestForce = 0.0;
   double aboveCoupling = 0.0;
@@ -138,7 +138,10 @@ void sweepInvalidInput(const Packing& packing, SweepChecks& sweep) {
     run.moveReamer(0.0, 0.010, 1000);
     addChecks(sweep, run, "spun backwards", 0.0);
     sweep.add(
-        "spun backwards: mass removed, relative", 0.0, run.bone.removedMass() / run.whole, 0.0);
+        "spun backwards: mass removed, relative",
+        0.0,
+        run.bone.removedMass() / run.initialMass,
+        0.0);
   }
   {
     // Ream a core of the bone completely, and advance beyond it.
@@ -148,7 +151,10 @@ void sweepInvalidInput(const Packing& packing, SweepChecks& sweep) {
     run.moveReamer(0.0, 0.06, 4000);
     addChecks(sweep, run, "everything removed", 0.0);
     sweep.add(
-        "everything removed: mass left, relative", 0.0, run.bone.remainingMass() / run.whole, 1e-9);
+        "everything removed: mass left, relative",
+        0.0,
+        run.bone.remainingMass() / run.initialMass,
+        1e-9);
     run.largestForce = 0.0;
     run.moveReamer(0.06, 0.07, 1000);
     sweep.add("everything removed: force afterwards [N]", 0.0, run.largestForce, 0.0);

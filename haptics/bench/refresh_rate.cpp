@@ -7,7 +7,7 @@
 namespace haptics::bench {
 namespace {
 
-constexpr double kMiddle = 6.0;  // [travel units]
+constexpr double kMiddleTravel = 6.0;  // [travel units]
 
 /// Renders a scene along a cut, and computes its mesh in every step, as in the paper's loop.
 class RenderedCut {
@@ -25,7 +25,7 @@ class RenderedCut {
     return {name_ + (hasMesh ? ", with mesh" : ", force alone"), [this, hasMesh](int steps) {
               double sum = 0.0;
               for (int i = 0; i < steps; ++i) {
-                const double travel = kMiddle + 5.0 * std::cos(0.004 * i);
+                const double travel = kMiddleTravel + 5.0 * std::cos(0.004 * i);
                 const double force = scene_.respond({.travel = travel}).force;
                 sum += force;
                 if (!hasMesh) continue;

@@ -15,8 +15,8 @@ namespace haptics::bench {
 namespace {
 
 constexpr const char* kSplineFamily = "splines";
-constexpr const char* kMonotone = "palpate PCHIP";
-constexpr const char* kFloor = "floor: one Horner";
+constexpr const char* kPalpatePchip = "palpate PCHIP";
+constexpr const char* kLowerBound = "floor: one Horner";
 constexpr double kEnd = 20.0;  // [mm]
 
 /// Force [N] over depth [mm] of a smooth curve that resembles reaming: no force, the peak of the
@@ -97,10 +97,10 @@ std::vector<Spline> allSplines(int count) {
   }
   auto all = peers::splinePeers(xs, ys);
   all.push_back(straightLines(xs, ys));
-  all.push_back(cubics(kMonotone, xs, ys, reaming::monotoneSlopes(xs, ys)));
+  all.push_back(cubics(kPalpatePchip, xs, ys, reaming::monotoneSlopes(xs, ys)));
   all.push_back(cubics("palpate Hermite", xs, ys, slopes));
-  all.push_back(
-      peers::splineOf(kFloor, [](double x) { return 1.0 + x * (2.0 + x * (0.3 + x * 0.01)); }));
+  all.push_back(peers::splineOf(
+      kLowerBound, [](double x) { return 1.0 + x * (2.0 + x * (0.3 + x * 0.01)); }));
   return all;
 }
 
@@ -158,7 +158,7 @@ void compareSplines(
   for (const auto& spline : all) contestants.push_back(contestant(spline, xs));
   constexpr int kColdRounds = 41;
   const auto times = isCold ? run.coldTimes(contestants, kColdRounds) : run.times(contestants);
-  const double ofBoost = largestError(all.front());
+  const double boostError = largestError(all.front());
   for (std::size_t i = 0; i < all.size(); ++i) {
     Measurement m{
         .family = kSplineFamily,
@@ -166,10 +166,10 @@ void compareSplines(
         .method = all[i].name,
         .parameter = static_cast<double>(nodes),
         .time = times[i]};
-    if (m.method != kFloor) m.error = largestError(all[i]);
+    if (m.method != kLowerBound) m.error = largestError(all[i]);
     // Palpate's curve equals Boost's up to rounding. Boost uses other slopes at the ends, which
     // matters with four nodes.
-    if (m.method == kMonotone && nodes > 4) m.bound = ofBoost * (1.0 + 1e-9);
+    if (m.method == kPalpatePchip && nodes > 4) m.bound = boostError * (1.0 + 1e-9);
     run.report(m);
   }
 }

@@ -26,9 +26,9 @@ struct VirtualWall {
   double damping = 0.0;    ///< b, of mechanism and hand together [N·s/travel unit]
   double quantum = 0.0;    ///< resolution of the encoder [travel units]
   int delay = 0;           ///< delay of the force [ticks]
-  bool isControlled = false;
+  bool hasPassivityController = false;
   bool isStable = false;
-  bool isPredictedUnstable = false;   ///< eq. (25) of the punch paper does not guarantee passivity
+  bool isPassivityUnproven = false;   ///< eq. (25) of the punch paper does not guarantee passivity
   bool isDetectedByObserver = false;  ///< the energy observer detected generated energy
   double amplitude = 0.0;             ///< peak to peak over the last 0.4 s [travel units]
 };

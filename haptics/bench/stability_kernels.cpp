@@ -1,5 +1,5 @@
-// Compiled twice: the second time with fused multiply-add and with namespace 'models' renamed, so
-// that the linker keeps both. Only the models and plain numbers may be used here.
+// Compiled twice: the second time with fused multiply-add, and with another name for the namespace
+// 'models', so that the linker keeps both. Use only the models and plain numbers here.
 #include "haptics/bench/stability.h"
 #include "haptics/models/finite_elements.h"
 #include "haptics/models/hermite_curve.h"

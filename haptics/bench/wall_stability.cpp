@@ -10,9 +10,9 @@
 namespace haptics::bench {
 namespace {
 
-constexpr double kMass = 0.004;      // mass of the simulated punch [N·s²/travel unit]
-constexpr double kWallTravel = 5.0;  // travel at which the wall begins [travel units]
-constexpr double kHand = 3.0;        // stiffness of a hand [N/travel unit]
+constexpr double kMass = 0.004;         // mass of the simulated punch [N·s²/travel unit]
+constexpr double kWallTravel = 5.0;     // travel at which the wall begins [travel units]
+constexpr double kHandStiffness = 3.0;  // stiffness of a hand [N/travel unit]
 constexpr double kHandTarget = 5.4;  // travel that the hand aims at, inside the wall [travel units]
 constexpr double kSeconds = 2.0;     // simulated time [s]
 constexpr double kWindow = 0.4;      // duration over which the amplitude is measured [s]
@@ -40,9 +40,9 @@ class Wall {
         observer_(
             {.deviceDamping = point.damping,
              .tolerance = 1e-3,
-             .mostDamping = point.isControlled ? kMass / period_ : 0.0,
+             .mostDamping = point.hasPassivityController ? kMass / period_ : 0.0,
              .leastVelocity = 1e-6}),
-        pending_(static_cast<std::size_t>(point.delay), 0.0) {}
+        pendingForces_(static_cast<std::size_t>(point.delay), 0.0) {}
 
   void run() {
     const int ticks = static_cast<int>(kSeconds * point_.rate);
@@ -53,22 +53,22 @@ class Wall {
         return;
       }
       const double left = (ticks - i) / point_.rate;
-      if (left <= kWindow) late_.extendTo(lowInTick_, highInTick_);
+      if (left <= kWindow) lateRange_.extendTo(lowInTick_, highInTick_);
       if (left > kWindowDistance && left <= kWindowDistance + kWindow)
-        early_.extendTo(lowInTick_, highInTick_);
+        earlyRange_.extendTo(lowInTick_, highInTick_);
     }
-    point_.amplitude = late_.width();
+    point_.amplitude = lateRange_.width();
   }
 
   void judge() {
-    // An oscillation that decays, however slowly, is stable. One of a few encoder steps counts as
-    // stable, too, since linear theory does not exclude such a limit cycle.
-    const bool diesAway = point_.amplitude < 0.7 * early_.width();
-    point_.isStable = diesAway || point_.amplitude < std::max(1e-3, 4.0 * point_.quantum);
+    // An oscillation that decays, however slowly, is stable. So is an oscillation of a few encoder
+    // steps, since linear theory does not exclude such a limit cycle.
+    const bool isDecaying = point_.amplitude < 0.7 * earlyRange_.width();
+    point_.isStable = isDecaying || point_.amplitude < std::max(1e-3, 4.0 * point_.quantum);
     const engine::Passivity passivity{
         .stiffness = point_.stiffness, .period = period_, .filterDelay = point_.delay * period_};
     constexpr double kRounding = 1e-9;  // tolerance, because the inequality of eq. (25) is strict
-    point_.isPredictedUnstable = passivity.requiredDamping() * (1.0 + kRounding) >= point_.damping;
+    point_.isPassivityUnproven = passivity.requiredDamping() * (1.0 + kRounding) >= point_.damping;
     point_.isDetectedByObserver = observer_.least() < -1e-3;
   }
 
@@ -83,14 +83,14 @@ class Wall {
     const double beyond = encoderTravel() - kWallTravel;
     double wanted = beyond > 0.0 ? point_.stiffness * beyond : 0.0;
     if (beyond > 0.0) wanted = observer_.damped(wanted, velocity_, period_);
-    pending_.push_back(wanted);
-    force_ = pending_.front();
-    pending_.erase(pending_.begin());
+    pendingForces_.push_back(wanted);
+    force_ = pendingForces_.front();
+    pendingForces_.erase(pendingForces_.begin());
     lowInTick_ = highInTick_ = travel_;
     const int inside = std::max(1, static_cast<int>(std::lround(period_ / kMechanismStep)));
     const double dt = period_ / inside;
     for (int i = 0; i < inside; ++i) {
-      const double push = kHand * (kHandTarget - travel_);
+      const double push = kHandStiffness * (kHandTarget - travel_);
       velocity_ += dt * (push - force_ - point_.damping * velocity_) / kMass;
       travel_ += dt * velocity_;
       lowInTick_ = std::min(lowInTick_, travel_);
@@ -101,16 +101,16 @@ class Wall {
   VirtualWall& point_;
   double period_;
   engine::EnergyObserver observer_;
-  std::vector<double> pending_;
+  std::vector<double> pendingForces_;
   double travel_ = 4.5;
   double velocity_ = 0.0;
   double last_ = 4.5;
   double force_ = 0.0;
-  Range early_, late_;
+  Range earlyRange_, lateRange_;
   double lowInTick_ = 0.0, highInTick_ = 0.0;
 };
 
-VirtualWall judged(VirtualWall point) {
+VirtualWall simulatedWall(VirtualWall point) {
   Wall wall(point);
   wall.run();
   wall.judge();
@@ -128,17 +128,17 @@ void sweepWalls(double effort, StabilityResult& result) {
         // From 0.1 to 100 times the passive limit.
         const double ratio = std::pow(10.0, -1.0 + 3.0 * i / (stiffnesses - 1));
         VirtualWall point{.rate = rate, .stiffness = ratio * limit, .damping = damping};
-        result.walls.push_back(judged(point));
-        point.isControlled = true;
-        result.walls.push_back(judged(point));
+        result.walls.push_back(simulatedWall(point));
+        point.hasPassivityController = true;
+        result.walls.push_back(simulatedWall(point));
         if (rate != 1000.0) continue;
-        point.isControlled = false;
+        point.hasPassivityController = false;
         point.delay = 1;
-        result.walls.push_back(judged(point));
+        result.walls.push_back(simulatedWall(point));
         point.delay = 0;
         for (const double quantum : {0.0439, 0.176}) {
           point.quantum = quantum;
-          result.walls.push_back(judged(point));
+          result.walls.push_back(simulatedWall(point));
         }
       }
     }
@@ -149,7 +149,7 @@ void sweepWalls(double effort, StabilityResult& result) {
   for (const auto& wall : result.walls) {
     if (wall.isStable) continue;
     ++unstable;
-    unexpected += wall.isPredictedUnstable ? 0 : 1;
+    unexpected += wall.isPassivityUnproven ? 0 : 1;
     unnoticed += wall.isDetectedByObserver || wall.quantum > 0.0 ? 0 : 1;
   }
   SweepChecks checks(result, "wall");

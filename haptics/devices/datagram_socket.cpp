@@ -107,11 +107,11 @@ bool DatagramSocket::send(std::span<const std::uint8_t> datagram, const Endpoint
 }
 
 std::optional<DatagramSocket::Received> DatagramSocket::receive(
-    std::span<std::uint8_t> room, std::int64_t wait) noexcept {
+    std::span<std::uint8_t> buffer, std::int64_t wait) noexcept {
   if (wait > 0 && !waitFor(descriptor_, wait)) return std::nullopt;
   sockaddr_in from{};
   socklen_t size = sizeof(from);
-  const auto got = recvfrom(descriptor_, room.data(), room.size(), 0, asSockaddr(from), &size);
+  const auto got = recvfrom(descriptor_, buffer.data(), buffer.size(), 0, asSockaddr(from), &size);
   if (got < 0) return std::nullopt;
   return Received{.size = static_cast<std::size_t>(got), .from = endpointOf(from)};
 }

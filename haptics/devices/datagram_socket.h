@@ -46,10 +46,10 @@ class DatagramSocket {
     std::size_t size = 0;  ///< [bytes]; at most the size of the buffer
     Endpoint from;
   };
-  /// Receives the next datagram; waits at most @p wait [ns] for it. A datagram that is longer than
-  /// @p room is truncated: if @p room is a byte larger than the longest valid datagram, the caller
-  /// can detect it.
-  std::optional<Received> receive(std::span<std::uint8_t> room, std::int64_t wait = 0) noexcept;
+  /// Receives the next datagram into @p buffer; waits for it at most @p wait [ns]. A longer
+  /// datagram is truncated. To detect that, the caller makes @p buffer one byte larger than the
+  /// longest valid datagram.
+  std::optional<Received> receive(std::span<std::uint8_t> buffer, std::int64_t wait = 0) noexcept;
 
   /// The address that the socket is bound to, with the port that the system assigned.
   const Endpoint& local() const noexcept { return local_; }

@@ -124,8 +124,8 @@ struct DeviceKind {
     /// Travel outside this range means that the zero is wrong [unit]
     Range plausibleTravel{-2.0, 14.0};
 
-    /// Whether the mechanism can reach @p travel with any error of its zero. An encoder that lost
-    /// count, or a fault in its cable, gives a travel far outside.
+    /// Whether the mechanism can reach @p travel, whatever the error of its zero. If the encoder
+    /// has lost counts, or its cable is faulty, the travel is far outside this range.
     bool isPlausibleTravel(double travel) const noexcept {
       const double span = plausibleTravel.most - plausibleTravel.least;
       return travel >= plausibleTravel.least - span && travel <= plausibleTravel.most + span;
@@ -138,8 +138,8 @@ struct DeviceKind {
   Text strokeHint;   ///< tells a participant how a stroke is made with the instrument
   Text pointerHint;  ///< explains the keys and the mouse to a participant
 
-  /// A sentence that replaces a general one in reports and exports of a study that uses only this
-  /// kind of device.
+  /// A sentence that replaces a general sentence in the reports and exports of a study whose
+  /// devices are all of this kind.
   struct Sentence {
     std::string_view language;
     std::string_view english;  ///< the general sentence: "at least {} cut or stroke"

@@ -29,13 +29,13 @@ SimulatedHand::SimulatedHand(const Person& person) : person_(person), random_(pe
 void SimulatedHand::beginCycle() noexcept {
   // The reach varies less than the time, because the handle has an end stop.
   constexpr double kReachVariationShare = 0.3;
-  closed_ = person_.open + (person_.closed - person_.open) *
-                               (1.0 + kReachVariationShare * person_.variation * deviation());
+  cycleReach_ = person_.open + (person_.closed - person_.open) *
+                                   (1.0 + kReachVariationShare * person_.variation * deviation());
   closeTime_ = person_.closeTime * (1.0 + person_.variation * deviation());
 }
 
 SimulatedHand::Target SimulatedHand::target() const noexcept {
-  const double distance = closed_ - person_.open;
+  const double distance = cycleReach_ - person_.open;
   double t = time_ - person_.pauseTime;
   if (t < 0.0) return {person_.open, 0.0};
   if (t < closeTime_) {
@@ -43,9 +43,9 @@ SimulatedHand::Target SimulatedHand::target() const noexcept {
     return {person_.open + distance * path(tau), distance * speed(tau) / closeTime_};
   }
   t -= closeTime_ + person_.holdTime;
-  if (t < 0.0) return {closed_, 0.0};
+  if (t < 0.0) return {cycleReach_, 0.0};
   const double tau = std::fmin(t / person_.openTime, 1.0);
-  return {closed_ - distance * path(tau), -distance * speed(tau) / person_.openTime};
+  return {cycleReach_ - distance * path(tau), -distance * speed(tau) / person_.openTime};
 }
 
 double SimulatedHand::push(double travel, double velocity, double dt) noexcept {

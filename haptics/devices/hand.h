@@ -63,8 +63,8 @@ class SimulatedHand final : public Hand {
   Person person_;
   double time_ = 0.0;  ///< since the present cycle began [s]
   base::SplitMix64 random_;
-  double closed_ = 0.0;     ///< travel that the hand aims at in this cycle
-  double closeTime_ = 0.0;  ///< duration of closing in this cycle [s]
+  double cycleReach_ = 0.0;  ///< travel that the hand aims at in this cycle
+  double closeTime_ = 0.0;   ///< duration of closing in this cycle [s]
 };
 
 /// A hand that follows a pointer, moved by the mouse or the keys, if there is no device. Another

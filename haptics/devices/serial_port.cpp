@@ -20,7 +20,7 @@
 namespace haptics::devices {
 namespace {
 
-std::string whyNotOpened(const std::string& path, int error) {
+std::string openErrorMessage(const std::string& path, int error) {
   if (error == ENOENT || error == ENODEV || error == ENXIO) {
     std::string there;
     for (const auto& port : serialPorts()) there += (there.empty() ? "" : ", ") + port;
@@ -42,7 +42,7 @@ std::string whyNotOpened(const std::string& path, int error) {
          ". Unplug the device, plug it in again, and try again.";
 }
 
-constexpr std::array<std::pair<int, speed_t>, 6> kSpeeds{
+constexpr std::array<std::pair<int, speed_t>, 6> kBaudRates{
     {{115'200, B115200},
      {230'400, B230400},
      {460'800, B460800},
@@ -52,8 +52,8 @@ constexpr std::array<std::pair<int, speed_t>, 6> kSpeeds{
 
 const std::pair<int, speed_t>* speedOf(int baud) noexcept {
   const auto* speed = std::find_if(
-      kSpeeds.begin(), kSpeeds.end(), [&](const auto& known) { return known.first == baud; });
-  return speed == kSpeeds.end() ? nullptr : speed;
+      kBaudRates.begin(), kBaudRates.end(), [&](const auto& known) { return known.first == baud; });
+  return speed == kBaudRates.end() ? nullptr : speed;
 }
 
 void makeRaw(int descriptor, const std::string& path, int baud) {
@@ -76,7 +76,8 @@ void makeRaw(int descriptor, const std::string& path, int baud) {
     }
     cfsetspeed(&settings, speed->second);
   }
-  if (tcsetattr(descriptor, TCSANOW, &settings) != 0) throw DeviceError(whyNotOpened(path, errno));
+  if (tcsetattr(descriptor, TCSANOW, &settings) != 0)
+    throw DeviceError(openErrorMessage(path, errno));
 }
 
 }  // namespace
@@ -87,8 +88,8 @@ bool SerialPort::supportsBaud(int baud) noexcept {
 
 std::string SerialPort::supportedSpeeds() {
   std::string text;
-  for (const auto& [baud, speed] : kSpeeds) {
-    const bool isLast = baud == kSpeeds.back().first;
+  for (const auto& [baud, speed] : kBaudRates) {
+    const bool isLast = baud == kBaudRates.back().first;
     text += (text.empty() ? "" : isLast ? " or " : ", ") + std::to_string(baud);
   }
   return text;
@@ -97,12 +98,12 @@ std::string SerialPort::supportedSpeeds() {
 void SerialPort::open(const std::string& path, int baud) {
   close();
   const int descriptor = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) throw DeviceError(whyNotOpened(path, errno));
+  if (descriptor < 0) throw DeviceError(openErrorMessage(path, errno));
   descriptor_ = descriptor;
   try {
     // TIOCEXCL refuses other processes unless they are root; flock refuses those that also use
     // flock.
-    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) throw DeviceError(whyNotOpened(path, EBUSY));
+    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) throw DeviceError(openErrorMessage(path, EBUSY));
     makeRaw(descriptor, path, baud);
     isExclusive_ = ioctl(descriptor, TIOCEXCL) == 0;
   } catch (...) {

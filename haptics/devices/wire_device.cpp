@@ -8,8 +8,8 @@
 
 namespace haptics::devices {
 
-WireDevice::WireDevice(Capabilities capabilities, KeepAliveLimits keeping)
-    : capabilities_(std::move(capabilities)), keepAliveLimits_(keeping) {}
+WireDevice::WireDevice(Capabilities capabilities, KeepAliveLimits limits)
+    : capabilities_(std::move(capabilities)), keepAliveLimits_(limits) {}
 
 void WireDevice::close() noexcept {
   stopKeepAlive();
@@ -17,7 +17,7 @@ void WireDevice::close() noexcept {
   setLifecycle(Lifecycle::Closed);
 }
 
-void WireDevice::enterOpen() {
+void WireDevice::finishOpening() {
   faultMessage_.store("");
   setLifecycle(Lifecycle::Open);
   startKeepAlive();
@@ -115,14 +115,14 @@ void WireDevice::resetCounts() noexcept {
 }
 
 LinkReport WireDevice::link() {
-  // Before the first tick the keep-alive thread runs and updates the counts as well, so it is
-  // stopped meanwhile.
-  const bool wasKept = isKeepAliveRunning();
+  // Before the first tick the keep-alive thread runs and updates the counts, too. So it is stopped
+  // while they are read.
+  const bool wasRunning = isKeepAliveRunning();
   stopKeepAlive();
   LinkReport report = report_;
   report.drift = drift_.partsPerMillion();
   report.clockOffset = drift_.offset();
-  if (wasKept) resumeKeepAlive();
+  if (wasRunning) resumeKeepAlive();
   return report;
 }
 

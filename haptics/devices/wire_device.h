@@ -37,17 +37,17 @@ class WireDevice : public Device, private Pacer {
  protected:
   /// Time limits of the keep-alive thread.
   struct KeepAliveLimits {
-    /// Longest wait in one iteration of that thread's loop, which then checks whether to stop [ns].
+    /// Longest wait for a message; after each wait the thread checks whether it is to stop [ns].
     std::int64_t longestWait;
     std::int64_t silence;  ///< time without a message that is a fault [ns]
   };
 
-  WireDevice(Capabilities capabilities, KeepAliveLimits keeping);
+  WireDevice(Capabilities capabilities, KeepAliveLimits limits);
 
   /// The name with which error messages begin: "The punch on /dev/ttyACM0".
   virtual std::string name() const = 0;
   virtual bool isConnected() const noexcept = 0;
-  /// Closes the connection; @p isFault is sent as the reason where the protocol has one.
+  /// Closes the connection. If the protocol can transmit a reason, it is told @p isFault.
   virtual void disconnect(bool isFault) noexcept = 0;
   /// Waits for a message until @p deadline [ns]; sets isNew_ if one has arrived.
   virtual bool waitForMessage(std::int64_t deadline) noexcept = 0;
@@ -65,7 +65,7 @@ class WireDevice : public Device, private Pacer {
   bool wait(std::int64_t deadline) noexcept override;
 
   /// The last step of open(), once the device is connected.
-  void enterOpen();
+  void finishOpening();
   void startKeepAlive();
   void resumeKeepAlive() noexcept;
   void stopKeepAlive() noexcept;

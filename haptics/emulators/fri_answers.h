@@ -61,7 +61,7 @@ class FriCommandCheck {
   Mode mode_;
 };
 
-/// Matches a client's answers to the messages they answer, and counts anomalies.
+/// Finds for each answer of a client the message that it answers, and counts anomalies.
 ///
 /// The reflected counter of an answer identifies the message. The answer is accepted if it is the
 /// first to that message, and if the message is not older than a receive period; other answers are
@@ -92,7 +92,8 @@ class FriAnswerMatcher {
   /// Notes that the message with nextSequence() was sent. @p now [ns].
   void noteSent(std::int64_t now, bool isAnswerable) noexcept;
 
-  /// Processes an answer. Returns whether it is accepted; latency() is then that of this answer.
+  /// Processes an answer. Returns whether it is accepted; if so, latency() is the latency of this
+  /// answer.
   bool take(const wire::fri::Header& header, std::int64_t now) noexcept;
 
   /// Counts a datagram that is no valid answer, by the reason of the decoder.
@@ -100,7 +101,7 @@ class FriAnswerMatcher {
   /// Counts a datagram from another address than the client's.
   void countUnexpectedSender() noexcept { ++counts_.unexpectedSender; }
   /// Counts an answer that was due and did not arrive.
-  void miss() noexcept { ++counts_.missed; }
+  void countMissing() noexcept { ++counts_.missed; }
 
   /// Returns to the initial state, but keeps the counts.
   void restart() noexcept;

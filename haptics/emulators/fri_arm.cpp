@@ -36,7 +36,7 @@ wire::fri::Vector6 toWire(const Wrench& wrench) noexcept {
   return {wrench[0], wrench[1], wrench[2], wrench[5], wrench[4], wrench[3]};
 }
 
-Wrench turned(const Eigen::Matrix3d& rotation, const Wrench& wrench) noexcept {
+Wrench rotated(const Eigen::Matrix3d& rotation, const Wrench& wrench) noexcept {
   Wrench result;
   result.head<3>() = rotation * wrench.head<3>();
   result.tail<3>() = rotation * wrench.tail<3>();
@@ -93,7 +93,7 @@ devices::IiwaKinematics kinematicsOf(const FriArm::Options& options) {
 }
 
 /// The largest stiffness that the controller allows, with a damping ratio of 0.7.
-JointImpedance stiffest() {
+JointImpedance stiffestImpedance() {
   JointImpedance law;
   law.stiffness.setConstant(5000.0);
   law.damping = 1.4 * (5000.0 * IiwaMechanics{}.inertia).cwiseSqrt();
@@ -112,11 +112,11 @@ SurgeonHand::Grip gripOf(
 FriArm::FriArm(const Options& options)
     : options_(validated(options)),
       arm_(kinematicsOf(options_), vectorOf(options_.start)),
-      holdingImpedance_(stiffest()),
+      holdingImpedance_(stiffestImpedance()),
       start_(arm_.tool()),
       hand_(options_.person),
       surgeon_(gripOf(options_.grip, start_.rotation * options_.reamingAxis, start_), hand_),
-      held_(options_.start) {
+      heldPosition_(options_.start) {
   // Refuse invalid options now, and not during a motion.
   arm_.setControl(options_.joint);
   arm_.setControl(options_.cartesian);
@@ -125,7 +125,7 @@ FriArm::FriArm(const Options& options)
 
 void FriArm::hold() noexcept {
   arm_.setControl(holdingImpedance_);
-  held_ = jointsOf(arm_.position());
+  heldPosition_ = jointsOf(arm_.position());
   apply({});
 }
 
@@ -139,13 +139,13 @@ void FriArm::attachHand() noexcept {
 }
 
 void FriArm::apply(const wire::fri::CommandData& command) noexcept {
-  arm_.commandPosition(vectorOf(command.jointPosition.value_or(held_)));
+  arm_.commandPosition(vectorOf(command.jointPosition.value_or(heldPosition_)));
   setOverlay(command);
   arm_.setOverlayTorque(vectorOf(overlayTorque_));
 }
 
 void FriArm::step(double dt) noexcept {
-  arm_.setOverlayWrench(turned(arm_.tool().rotation, overlay_));
+  arm_.setOverlayWrench(rotated(arm_.tool().rotation, overlay_));
   arm_.step(dt);
 }
 
@@ -154,10 +154,10 @@ void FriArm::setOverlay(const wire::fri::CommandData& command) noexcept {
   const bool isTorque = options_.command == ClientCommandMode::Torque;
   overlay_ = isWrench ? fromWire(command.wrench.value_or(wire::fri::Vector6{})) : Wrench::Zero();
   overlayTorque_ = isTorque ? command.jointTorque.value_or(Joints{}) : Joints{};
-  constexpr double kSame = 1e-6;  // [rad]
-  const JointVector away = arm_.commandedPosition() - vectorOf(held_);
-  const bool isElsewhere =
-      options_.command == ClientCommandMode::JointPosition && away.cwiseAbs().maxCoeff() > kSame;
+  constexpr double kPositionTolerance = 1e-6;  // [rad]
+  const JointVector away = arm_.commandedPosition() - vectorOf(heldPosition_);
+  const bool isElsewhere = options_.command == ClientCommandMode::JointPosition &&
+                           away.cwiseAbs().maxCoeff() > kPositionTolerance;
   hasOverlay_ = isElsewhere || !overlay_.isZero(0.0) || !vectorOf(overlayTorque_).isZero(0.0);
 }
 
@@ -165,8 +165,8 @@ Joints FriArm::commandedPosition() const noexcept {
   return jointsOf(arm_.commandedPosition());
 }
 
-/// The smallest wrench at the tool, in the base's axes, that belongs to the joint torques @p
-/// torque; bounded near a singular pose.
+/// The smallest wrench at the tool, in the base's axes, that causes the joint torques @p torque; it
+/// stays finite near a singular pose.
 Wrench FriArm::wrenchOf(const JointVector& torque) const noexcept {
   const devices::IiwaJacobian jacobian = arm_.kinematics().jacobian(arm_.position());
   Eigen::Matrix<double, 6, 6> square = jacobian * jacobian.transpose();
@@ -213,10 +213,16 @@ wire::fri::MonitorData FriArm::measured() const noexcept {
   data.redundancy = {.value = arm_.position()[2]};  // E1 is the angle of A3
   Eigen::Quaterniond turn(arm_.tool().rotation);
   if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
-  const Eigen::Vector3d place = 1000.0 * arm_.tool().position;  // [mm]
+  const Eigen::Vector3d toolPosition = 1000.0 * arm_.tool().position;  // [mm]
   data.pose.emplace().name = wire::fri::Name("tool");
   for (const double value :
-       {place.x(), place.y(), place.z(), turn.w(), turn.x(), turn.y(), turn.z()}) {
+       {toolPosition.x(),
+        toolPosition.y(),
+        toolPosition.z(),
+        turn.w(),
+        turn.x(),
+        turn.y(),
+        turn.z()}) {
     *data.pose->elements.add() = value;
   }
   return data;

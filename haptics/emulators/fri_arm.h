@@ -60,7 +60,7 @@ class FriArm {
   void step(double dt) noexcept;
 
   /// The joints about which the program's motion holds the arm [rad].
-  const wire::fri::Joints& heldPosition() const noexcept { return held_; }
+  const wire::fri::Joints& heldPosition() const noexcept { return heldPosition_; }
   wire::fri::Joints commandedPosition() const noexcept;
   /// Whether the client commands a wrench or torque other than 0, or joints other than
   /// heldPosition().
@@ -86,7 +86,7 @@ class FriArm {
   devices::Pose start_;
   devices::SimulatedHand hand_;
   SurgeonHand surgeon_;
-  wire::fri::Joints held_;
+  wire::fri::Joints heldPosition_;
   wire::fri::Joints overlayTorque_{};
   devices::Wrench overlay_ = devices::Wrench::Zero();  ///< in the tool's axes
   bool hasOverlay_ = false;

@@ -20,7 +20,7 @@ constexpr std::int64_t kMillisecond = 1'000'000;  // [ns]
 constexpr int kLongestPeriod = 100;               // [ms]
 constexpr int kBacklog = 64;  // most datagrams that are read without a step in between
 
-bool isTorque(const FriController::Options& options) noexcept {
+bool isTorqueMode(const FriController::Options& options) noexcept {
   return options.arm.command == wire::fri::ClientCommandMode::Torque;
 }
 
@@ -31,7 +31,7 @@ const FriController::Options& validated(const FriController::Options& options) {
   if (!hasPeriod) {
     throw std::invalid_argument("send and receive periods lie between 1 and 100 ms");
   }
-  if (isTorque(options) &&
+  if (isTorqueMode(options) &&
       options.sendPeriod * options.receiveMultiplier > FriSession::kCommandTimeout) {
     throw std::invalid_argument("commanding torque needs a receive period of 5 ms at most");
   }
@@ -57,13 +57,13 @@ FriSession::Options sessionOptionsOf(const FriController::Options& options) noex
   return {
       .dwellTimes = options.dwellTimes,
       .period = options.sendPeriod,
-      .isTorque = isTorque(options),
+      .isTorqueMode = isTorqueMode(options),
       .restartsMotion = options.restartsMotion};
 }
 
 /// A version with the other framing: a version without a frame if @p version has one, and vice
 /// versa.
-Version otherThan(Version version) noexcept {
+Version otherFramingThan(Version version) noexcept {
   return version == Version::V2_7 ? Version::V1_15 : Version::V2_7;
 }
 
@@ -108,16 +108,16 @@ void FriController::closePeriod() noexcept {
   ++periodsSinceCommand_;
   if (session_.state() == State::Idle) {  // no answer was due
     periodsInReceivePeriod_ = 0;
-    missed_ = 0;
+    missingAnswers_ = 0;
     periodsSinceAnswered_ = 1;
     return;
   }
   if (++periodsInReceivePeriod_ < options_.receiveMultiplier) return;
   if (isReceivePeriodAnswered_) {
-    missed_ = 0;
+    missingAnswers_ = 0;
   } else {
-    ++missed_;
-    answers_.miss();
+    ++missingAnswers_;
+    answers_.countMissing();
     connection_.noteMissed();
   }
   periodsInReceivePeriod_ = 0;
@@ -131,10 +131,10 @@ void FriController::executeEvents() noexcept {
   if (faultQueue_.take(Event::SafetyReset)) session_.setSafetyStop(false);
   if (faultQueue_.take(Event::Idle)) {
     stopMotion(FriEndReason::Idle);
-    session_.toIdle();
+    session_.endSession();
     arm_.detachHand();
   }
-  if (faultQueue_.take(Event::Motion)) session_.queue();
+  if (faultQueue_.take(Event::Motion)) session_.queueMotion();
   if (faultQueue_.take(Event::Restart)) restart();
 }
 
@@ -142,7 +142,7 @@ void FriController::restart() noexcept {
   stopMotion(FriEndReason::Restart);
   session_.restart();
   answers_.restart();
-  connection_.forget();
+  connection_.reset();
   arm_.detachHand();
   isReceivePeriodAnswered_ = false;
   isWrongVersion_ = false;
@@ -151,7 +151,9 @@ void FriController::restart() noexcept {
 void FriController::advanceState() noexcept {
   const State before = session_.state();
   const FriSession::Input input{
-      .quality = quality(), .missed = missed_, .periodsSinceAnswered = periodsSinceAnswered_};
+      .quality = quality(),
+      .missed = missingAnswers_,
+      .periodsSinceAnswered = periodsSinceAnswered_};
   if (session_.advance(input)) {
     report_.endJoint = 0;
     brake();
@@ -176,8 +178,8 @@ void FriController::brake() noexcept {
   arm_.hold();
   noteOverlay();
   report_.endAt = options_.clock();
-  connection_.forget();
-  missed_ = 0;
+  connection_.reset();
+  missingAnswers_ = 0;
   periodsInReceivePeriod_ = 0;
   isReceivePeriodAnswered_ = false;
 }
@@ -200,11 +202,12 @@ void FriController::sendMessage() noexcept {
       .sendPeriod = static_cast<std::uint32_t>(options_.sendPeriod),
       .receiveMultiplier = static_cast<std::uint32_t>(options_.receiveMultiplier)};
   const auto message = monitoringMessage(standing, session_, arm_);
-  const Version sentVersion = isWrongVersion_ ? otherThan(options_.version) : options_.version;
-  const std::size_t size = wire::fri::encode(message, sentVersion, out_);
+  const Version sentVersion =
+      isWrongVersion_ ? otherFramingThan(options_.version) : options_.version;
+  const std::size_t size = wire::fri::encode(message, sentVersion, sendBuffer_);
   answers_.noteSent(options_.clock(), session_.state() != State::Idle);
   ++report_.messages;
-  passToClient(std::span(out_).first(size), sentVersion);
+  passToClient(std::span(sendBuffer_).first(size), sentVersion);
   if (faultQueue_.take(FriFaultQueue::OneTimeFault::Impostor)) sendImpostor(message);
 }
 
@@ -240,21 +243,21 @@ bool FriController::corrupt(std::span<std::uint8_t> datagram, Version sentVersio
 void FriController::sendImpostor(const wire::fri::MonitoringMessage& message) noexcept {
   wire::fri::MonitoringMessage forged = message;
   ++forged.header.sequence;
-  const std::size_t size = wire::fri::encode(forged, options_.version, impostorOut_);
-  const auto datagram = std::span(impostorOut_).first(size);
+  const std::size_t size = wire::fri::encode(forged, options_.version, impostorBuffer_);
+  const auto datagram = std::span(impostorBuffer_).first(size);
   if (impostor_.send(datagram, options_.client)) ++report_.impostors;
 }
 
 void FriController::readImpostor() noexcept {
-  for (int i = 0; i < kBacklog && impostor_.receive(in_); ++i) ++report_.impostorAnswers;
+  for (int i = 0; i < kBacklog && impostor_.receive(receiveBuffer_); ++i) ++report_.impostorAnswers;
 }
 
 bool FriController::receive(std::int64_t deadline) noexcept {
   const std::int64_t wait = std::max<std::int64_t>(deadline - options_.clock(), 0);
-  const auto received = socket_.receive(in_, wait);
+  const auto received = socket_.receive(receiveBuffer_, wait);
   if (!received) return false;
   if (received->from == options_.client) {
-    processDatagram(std::span(in_).first(received->size));
+    processDatagram(std::span(receiveBuffer_).first(received->size));
   } else {
     answers_.countUnexpectedSender();
   }
@@ -300,7 +303,7 @@ void FriController::execute(const wire::fri::CommandMessage& answer) noexcept {
 }
 
 void FriController::publish() noexcept {
-  const std::unique_lock lock(gate_, std::try_to_lock);
+  const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock.owns_lock()) return;  // publish in the next period
   report_.state = session_.state();
   report_.quality = quality();
@@ -317,7 +320,7 @@ void FriController::publish() noexcept {
 }
 
 FriReport FriController::report() const {
-  const std::scoped_lock lock(gate_);
+  const std::scoped_lock lock(mutex_);
   return published_;
 }
 

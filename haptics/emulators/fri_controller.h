@@ -141,15 +141,15 @@ class FriController {
   int periodsSinceAnswered_ = 0;      ///< periods since the last message that was answered
   int periodsInReceivePeriod_ = 0;    ///< number of periods in the present receive period so far
   bool isReceivePeriodAnswered_ = false;  ///< an answer was accepted in the present receive period
-  int missed_ = 0;                        ///< number of consecutive missing answers
+  int missingAnswers_ = 0;                ///< number of consecutive missing answers
   bool isWrongVersion_ = false;
   bool hadOverlay_ = false;
-  Buffer out_{};
-  Buffer in_{};
-  Buffer impostorOut_{};
+  Buffer sendBuffer_{};
+  Buffer receiveBuffer_{};
+  Buffer impostorBuffer_{};
   FriReport report_;  ///< used by the stepping thread only
-  mutable std::mutex gate_;
-  FriReport published_;  ///< copy for other threads, protected by gate_
+  mutable std::mutex mutex_;
+  FriReport published_;  ///< copy for other threads, protected by mutex_
 };
 
 }  // namespace haptics::emulators

@@ -8,7 +8,7 @@
 namespace haptics::emulators {
 namespace {
 
-constexpr int kMost = 1'000'000;
+constexpr int kLargestNumber = 1'000'000;
 
 std::vector<std::string_view> wordsOf(std::string_view line) {
   std::vector<std::string_view> words;
@@ -22,12 +22,13 @@ std::vector<std::string_view> wordsOf(std::string_view line) {
   }
 }
 
-/// Parses a number from 1 to kMost.
+/// Parses a number from 1 to kLargestNumber.
 std::optional<int> numberFrom(std::string_view text) {
   int number = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
-  const bool isNumber = error == std::errc{} && stop == end && number >= 1 && number <= kMost;
+  const bool isNumber =
+      error == std::errc{} && stop == end && number >= 1 && number <= kLargestNumber;
   return isNumber ? std::optional(number) : std::nullopt;
 }
 

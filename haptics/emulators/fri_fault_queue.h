@@ -40,7 +40,7 @@ class FriFaultQueue {
   /// All commands of the emulated arm with their arguments, in one line.
   static std::string help();
 
-  /// Takes one of the ordered faults; false if none is left.
+  /// Removes one pending fault from the queue; returns false if there is none.
   bool take(OneTimeFault fault) noexcept;
   bool take(Event event) noexcept;
   bool isQualityPoor() const noexcept { return isQualityPoor_.load(std::memory_order_relaxed); }

@@ -15,9 +15,9 @@
 namespace haptics::emulators {
 namespace {
 
-constexpr std::array<std::string_view, 5> kStates{
+constexpr std::array<std::string_view, 5> kStateNames{
     "idle", "monitoring-wait", "monitoring-ready", "commanding-wait", "commanding-active"};
-constexpr std::array<std::string_view, 4> kLevels{"poor", "fair", "good", "excellent"};
+constexpr std::array<std::string_view, 4> kQualityNames{"poor", "fair", "good", "excellent"};
 
 /// Builds a line of key=value pairs.
 class Line {
@@ -72,8 +72,8 @@ void addInjected(Line& line, const FriReport& report) {
 
 std::string statusOf(const FriReport& report) {
   Line line;
-  line.add("state", kStates[static_cast<std::size_t>(report.state)]);
-  line.add("quality", kLevels[static_cast<std::size_t>(report.quality)]);
+  line.add("state", kStateNames[static_cast<std::size_t>(report.state)]);
+  line.add("quality", kQualityNames[static_cast<std::size_t>(report.quality)]);
   line.add("share", report.connection.share);
   line.add("latency", report.connection.latency);
   line.add("jitter", report.connection.jitter);
@@ -139,9 +139,9 @@ constexpr std::size_t kJointSize = 9;  // a tag and a double
 constexpr std::size_t kJointsSize = 7 * kJointSize;
 
 /// Steps through the first fields of an encoded message.
-class Walker {
+class FieldWalker {
  public:
-  explicit Walker(std::span<std::uint8_t> bytes) noexcept : left_(bytes) {}
+  explicit FieldWalker(std::span<std::uint8_t> bytes) noexcept : left_(bytes) {}
 
   /// The content of the next field, if it has number @p number and is length-delimited; otherwise
   /// empty.
@@ -187,10 +187,10 @@ void renewCrc(std::span<std::uint8_t> datagram, Version version) noexcept {
 
 /// The measured joint positions, tags and values, in a message that encode() has written.
 std::span<std::uint8_t> measuredJoints(std::span<std::uint8_t> payload) noexcept {
-  Walker message(payload);
+  FieldWalker message(payload);
   message.next(1);  // header
   message.next(2);  // robot info
-  Walker monitorData(message.next(3));
+  FieldWalker monitorData(message.next(3));
   const auto joints = monitorData.next(1);
   return joints.size() == kJointsSize ? joints : std::span<std::uint8_t>();
 }
@@ -198,18 +198,18 @@ std::span<std::uint8_t> measuredJoints(std::span<std::uint8_t> payload) noexcept
 }  // namespace
 
 wire::fri::MonitoringMessage monitoringMessage(
-    const FriLinkFields& standing, const FriSession& session, const FriArm& arm) noexcept {
+    const FriLinkFields& link, const FriSession& session, const FriArm& arm) noexcept {
   wire::fri::MonitoringMessage message;
-  message.header.sequence = standing.sequence;
-  message.header.reflected = standing.reflected;
+  message.header.sequence = link.sequence;
+  message.header.reflected = link.reflected;
   message.robotInfo = robotInfo(session, arm);
   message.monitorData = arm.measured();
   message.monitorData->timestamp = unixTime();
   message.connection = {
       .state = session.state(),
-      .quality = standing.quality,
-      .sendPeriod = standing.sendPeriod,
-      .receiveMultiplier = standing.receiveMultiplier};
+      .quality = link.quality,
+      .sendPeriod = link.sendPeriod,
+      .receiveMultiplier = link.receiveMultiplier};
   if (session.isCommanding()) {
     message.ipoData = ipoData(session, arm, *message.monitorData);
   }
@@ -219,8 +219,8 @@ wire::fri::MonitoringMessage monitoringMessage(
 bool leaveOutJoint(std::span<std::uint8_t> datagram, Version version) noexcept {
   const auto joints = measuredJoints(payloadOf(datagram, version));
   if (joints.empty()) return false;
-  constexpr std::uint8_t kUnknown = 2U << 3U | 1U;  // number 2, a double
-  joints[6 * kJointSize] = kUnknown;
+  constexpr std::uint8_t kUnknownFieldTag = 2U << 3U | 1U;  // number 2, a double
+  joints[6 * kJointSize] = kUnknownFieldTag;
   renewCrc(datagram, version);
   return true;
 }

@@ -55,16 +55,16 @@ struct FriLinkFields {
   std::uint32_t receiveMultiplier = 1;
 };
 
-/// The message of this period, with the fields of all versions; the codec omits those that a
-/// version lacks. There are always 7 joints; the interpolator's position is set only in the
+/// The message of this period, with the fields of all versions; the codec leaves out the fields
+/// that a version lacks. There are always 7 joints. The interpolator's position is set only in the
 /// commanding states.
 wire::fri::MonitoringMessage monitoringMessage(
-    const FriLinkFields& standing, const FriSession& session, const FriArm& arm) noexcept;
+    const FriLinkFields& link, const FriSession& session, const FriArm& arm) noexcept;
 
 /// leaveOutJoint() turns the seventh measured joint position of an encoded message into an unknown
-/// field, so that six are left and the length does not change; setFirstJointToNaN() sets the first
-/// to NaN. Both correct the CRC of 2.7, so that only a client that checks the number of joints and
-/// their values can notice.
+/// field; six are left, and the length does not change. setFirstJointToNaN() sets the first
+/// position to NaN. Both correct the CRC of version 2.7. So only a client that checks the number
+/// of joints and their values can notice the fault.
 /// @param version  version whose frame the datagram has
 /// @return false, without a change, if the message has no such joints.
 bool leaveOutJoint(std::span<std::uint8_t> datagram, wire::fri::Version version) noexcept;

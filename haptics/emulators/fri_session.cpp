@@ -52,7 +52,7 @@ ConnectionQuality::Measures ConnectionQuality::measures() const noexcept {
 
 namespace {
 
-constexpr std::array<std::string_view, 16> kEnds{
+constexpr std::array<std::string_view, 16> kEndReasonNames{
     "no motion has ended",
     "the motion was completed",
     "more than 8 answers in a row were missing",
@@ -73,7 +73,7 @@ constexpr std::array<std::string_view, 16> kEnds{
 }  // namespace
 
 std::string_view nameOf(FriEndReason end) noexcept {
-  return kEnds[static_cast<std::size_t>(end)];
+  return kEndReasonNames[static_cast<std::size_t>(end)];
 }
 
 bool FriSession::advance(const Input& input) noexcept {
@@ -88,7 +88,7 @@ FriEndReason FriSession::reasonToEnd(const Input& input) const noexcept {
   if (!isCommanding()) return FriEndReason::None;
   const double period = options_.period;
   if (isStopped_) return FriEndReason::SafetyStop;
-  if (options_.isTorque && input.periodsSinceAnswered * period > kCommandTimeout) {
+  if (options_.isTorqueMode && input.periodsSinceAnswered * period > kCommandTimeout) {
     return FriEndReason::CommandsTooRare;
   }
   if (input.missed > kMostMissed) return FriEndReason::AnswersMissing;
@@ -117,7 +117,7 @@ void FriSession::advanceState(const Input& input) noexcept {
       }
       break;
     case State::CommandingWait:
-      if (mirrored_ >= kMirrored && periods_ >= dwellTimes.commandingWait) {
+      if (mirroredAnswers_ >= kMirroredAnswers && periods_ >= dwellTimes.commandingWait) {
         enter(State::CommandingActive);
       }
       break;
@@ -129,7 +129,7 @@ void FriSession::advanceState(const Input& input) noexcept {
 void FriSession::enter(State state) noexcept {
   state_ = state;
   periods_ = 0;
-  mirrored_ = 0;
+  mirroredAnswers_ = 0;
 }
 
 bool FriSession::end(FriEndReason end) noexcept {
@@ -142,7 +142,7 @@ bool FriSession::end(FriEndReason end) noexcept {
   return true;
 }
 
-void FriSession::toIdle() noexcept {
+void FriSession::endSession() noexcept {
   end(FriEndReason::Idle);
   enter(State::Idle);
   isClosed_ = true;

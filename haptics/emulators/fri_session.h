@@ -27,9 +27,9 @@ namespace haptics::emulators {
 /// | Fair      | ≥ 0.70 | ≤ 1.00  | ≤ 0.60 |
 /// | Poor      | less   | more    | more   |
 ///
-/// Before 100 answers were due, the others count as missing. So every connection starts as Poor; if
-/// all answers arrive in time, it is Fair from the 70th answer, Good from the 90th and Excellent
-/// from the 98th.
+/// Before 100 answers were due, those not yet due count as missing. So every connection starts as
+/// Poor. If all answers arrive in time, it is Fair from the 70th answer, Good from the 90th and
+/// Excellent from the 98th.
 class ConnectionQuality {
  public:
   using Level = wire::fri::ConnectionQuality;
@@ -59,7 +59,7 @@ class ConnectionQuality {
   /// Adds an answer that was due, but did not arrive in time.
   void noteMissed() noexcept;
   /// Returns to the initial state.
-  void forget() noexcept { *this = ConnectionQuality(); }
+  void reset() noexcept { *this = ConnectionQuality(); }
 
   Measures measures() const noexcept;
   Level level() const noexcept { return levelOf(measures()); }
@@ -106,10 +106,10 @@ std::string_view nameOf(FriEndReason end) noexcept;
 ///     Idle → MonitoringWait → MonitoringReady → CommandingWait → CommandingActive
 ///
 /// Idle ends after its time in DwellTimes; MonitoringWait when the quality is Good; MonitoringReady
-/// when the program queues its motion; CommandingWait when kMirrored consecutive answers mirror the
-/// joints and have the fields of the command mode. A motion that ends with a reason leads to
-/// MonitoringWait, and the connection counts as Poor until it is Good again; a completed motion
-/// leads to Idle.
+/// when the program queues its motion; CommandingWait when kMirroredAnswers consecutive answers
+/// mirror the joints and have the fields of the command mode. A motion that ends with a reason
+/// leads to MonitoringWait, and the connection counts as Poor until it is Good again; a completed
+/// motion leads to Idle.
 class FriSession {
  public:
   using State = wire::fri::SessionState;
@@ -117,7 +117,7 @@ class FriSession {
   static constexpr int kMostMissed = 8;  ///< consecutive missing answers; one more ends the motion
   /// Longest time without a command in torque mode [ms].
   static constexpr double kCommandTimeout = 5.0;
-  static constexpr int kMirrored = 10;  ///< consecutive answers that must mirror the joints
+  static constexpr int kMirroredAnswers = 10;  ///< consecutive answers that must mirror the joints
   static constexpr double kMirrorTime = 10'000;  ///< longest time in CommandingWait [ms]
 
   /// The least time in each state [periods of sending].
@@ -132,7 +132,7 @@ class FriSession {
   struct Options {
     DwellTimes dwellTimes;
     int period = 1;               ///< send period [ms], 1 to 100
-    bool isTorque = false;        ///< torque mode: a command must arrive every kCommandTimeout
+    bool isTorqueMode = false;    ///< torque mode: a command must arrive every kCommandTimeout
     bool restartsMotion = false;  ///< the robot's program restarts a motion that failed
   };
 
@@ -150,14 +150,16 @@ class FriSession {
 
   /// Counts consecutive answers in CommandingWait that command the measured joint positions; any
   /// other answer resets the count.
-  void noteAnswer(bool isMirrored) noexcept { mirrored_ = isMirrored ? mirrored_ + 1 : 0; }
+  void noteAnswer(bool isMirrored) noexcept {
+    mirroredAnswers_ = isMirrored ? mirroredAnswers_ + 1 : 0;
+  }
 
   /// Ends the motion with reason @p end if the state is a commanding one; otherwise returns false.
   bool end(FriEndReason end) noexcept;
-  void toIdle() noexcept;   ///< ends the session; the state stays Idle
-  void restart() noexcept;  ///< begins a new session from Idle
-  /// The robot's program queues its motion (again), also after toIdle().
-  void queue() noexcept {
+  void endSession() noexcept;  ///< ends the session; the state stays Idle
+  void restart() noexcept;     ///< begins a new session from Idle
+  /// The robot's program queues its motion (again), also after endSession().
+  void queueMotion() noexcept {
     isQueued_ = true;
     isClosed_ = false;
   }
@@ -177,9 +179,9 @@ class FriSession {
   Options options_;
   State state_ = State::Idle;
   int periods_ = 0;  ///< number of periods in this state
-  int mirrored_ = 0;
+  int mirroredAnswers_ = 0;
   bool isQueued_ = true;
-  bool isClosed_ = false;  ///< after toIdle(): no new session begins
+  bool isClosed_ = false;  ///< after endSession(): no new session begins
   bool isStopped_ = false;
   FriEndReason lastEnd_ = FriEndReason::None;
 };

@@ -61,13 +61,13 @@ bool isWithin(const Values& values, const Bounds& most) {
   return (values.array() >= 0.0).all() && (values.array() <= most.array()).all();
 }
 
-Vector6 alongAndAbout(double along, double about) {
+Vector6 axisValues(double along, double about) {
   return {along, along, along, about, about, about};
 }
 
 /// Sets @p target to @p value, or to 0 if that is not finite. Returns whether it is finite.
 template <typename Values>
-bool keep(Values& target, const Values& value) noexcept {
+bool setOrZero(Values& target, const Values& value) noexcept {
   const bool isFinite = value.allFinite();
   if (isFinite) {
     target = value;
@@ -78,7 +78,7 @@ bool keep(Values& target, const Values& value) noexcept {
 }
 
 /// Rotates the translational and the rotational half of @p values.
-Vector6 turned(const Eigen::Matrix3d& rotation, const Vector6& values) noexcept {
+Vector6 rotated(const Eigen::Matrix3d& rotation, const Vector6& values) noexcept {
   Vector6 result;
   result.head<3>() = rotation * values.head<3>();
   result.tail<3>() = rotation * values.tail<3>();
@@ -123,9 +123,9 @@ void IiwaArm::setControl(const CartesianImpedance& law) {
           law.frame.determinant() > 0.0,
       "a task frame is a rotation");
   require(
-      isWithin(law.stiffness, alongAndAbout(5000.0, 300.0)) &&
-          isWithin(law.dampingRatio, alongAndAbout(1.0, 1.0)) &&
-          isWithin(law.damping, alongAndAbout(1000.0, 50.0)),
+      isWithin(law.stiffness, axisValues(5000.0, 300.0)) &&
+          isWithin(law.dampingRatio, axisValues(1.0, 1.0)) &&
+          isWithin(law.damping, axisValues(1000.0, 50.0)),
       "a Cartesian impedance is out of its range");
   law_ = law;
 }
@@ -146,15 +146,15 @@ bool IiwaArm::commandPosition(const JointVector& position) noexcept {
 }
 
 bool IiwaArm::setOverlayWrench(const Wrench& wrench) noexcept {
-  return keep(overlayWrench_, wrench);
+  return setOrZero(overlayWrench_, wrench);
 }
 
 bool IiwaArm::setOverlayTorque(const JointVector& torque) noexcept {
-  return keep(overlayTorque_, torque);
+  return setOrZero(overlayTorque_, torque);
 }
 
 bool IiwaArm::setExternalWrench(const Wrench& wrench) noexcept {
-  return keep(externalWrench_, wrench);
+  return setOrZero(externalWrench_, wrench);
 }
 
 bool IiwaArm::step(double dt) noexcept {
@@ -211,7 +211,7 @@ Vector6 IiwaArm::deflection(const CartesianImpedance& law) const noexcept {
   Vector6 inBase;
   inBase.head<3>() = commandedTool_.position - state_.tool.position;
   inBase.tail<3>() = devices::rotationVectorBetween(state_.tool.rotation, commandedTool_.rotation);
-  return turned((commandedTool_.rotation * law.frame).transpose(), inBase);
+  return rotated((commandedTool_.rotation * law.frame).transpose(), inBase);
 }
 
 Wrench IiwaArm::cartesianWrench(const CartesianImpedance& law) const noexcept {
@@ -231,7 +231,7 @@ Wrench IiwaArm::cartesianWrench(const CartesianImpedance& law) const noexcept {
     const double ratio = 2.0 * law.dampingRatio[i] * std::sqrt(law.stiffness[i] / mobility);
     wrench[i] -= (ratio + law.damping[i]) * twist[i];
   }
-  return turned(task, wrench);
+  return rotated(task, wrench);
 }
 
 JointVector IiwaArm::limited(const JointVector& torque) noexcept {

@@ -26,7 +26,7 @@ constexpr std::size_t indexOf(Fault fault) noexcept {
 }  // namespace
 
 Impairment::Impairment(const Options& options)
-    : options_(options), random_(options.seed), places_(kMostHeld), delay_(options.delay) {
+    : options_(options), random_(options.seed), heldFrames_(kMostHeld), delay_(options.delay) {
   if (!areValid(options)) {
     throw std::invalid_argument(
         "faults need shares from 0 to 1 in all, a delay of a frame or more and a little garbage");
@@ -49,7 +49,7 @@ InjectedCounts Impairment::counts() const noexcept {
   return injected;
 }
 
-int Impairment::waiting(Fault fault) const noexcept {
+int Impairment::pendingCount(Fault fault) const noexcept {
   constexpr std::int64_t kMost = 1'000'000'000;
   return static_cast<int>(
       std::min(scheduled_[indexOf(fault)].load(std::memory_order_relaxed), kMost));
@@ -61,10 +61,10 @@ void Impairment::countFault(Fault fault) noexcept {
 
 bool Impairment::hasRoomFor(Fault fault) const noexcept {
   const bool needsPlace = fault == Fault::Reorder || fault == Fault::Delay;
-  return !needsPlace || held_ < places_.size();
+  return !needsPlace || held_ < heldFrames_.size();
 }
 
-std::optional<Fault> Impairment::orderedFault() noexcept {
+std::optional<Fault> Impairment::scheduledFault() noexcept {
   for (std::size_t i = 0; i < scheduled_.size(); ++i) {
     const auto fault = static_cast<Fault>(i);
     if (scheduled_[i].load(std::memory_order_relaxed) <= 0 || !hasRoomFor(fault)) continue;
@@ -87,7 +87,7 @@ std::optional<Fault> Impairment::randomFault() noexcept {
 
 std::optional<Fault> Impairment::nextFault() noexcept {
   if (isReordering_) return std::nullopt;
-  const auto ordered = orderedFault();
+  const auto ordered = scheduledFault();
   return ordered ? ordered : randomFault();
 }
 
@@ -135,7 +135,7 @@ void Impairment::countIntact() noexcept {
 }
 
 void Impairment::hold(std::span<const std::uint8_t> frame, Fault fault, int frames) noexcept {
-  Held& place = places_[held_++];
+  HeldFrame& place = heldFrames_[held_++];
   std::copy(frame.begin(), frame.end(), place.bytes.begin());
   place.size = frame.size();
   place.left = frames;
@@ -145,17 +145,17 @@ void Impairment::hold(std::span<const std::uint8_t> frame, Fault fault, int fram
 
 void Impairment::countDownHeld(bool overtakes) noexcept {
   for (std::size_t i = 0; i < held_; ++i) {
-    --places_[i].left;
-    places_[i].isOvertaken = places_[i].isOvertaken || overtakes;
+    --heldFrames_[i].left;
+    heldFrames_[i].isOvertaken = heldFrames_[i].isOvertaken || overtakes;
   }
   if (overtakes) isReordering_ = false;
 }
 
 void Impairment::releaseAll() noexcept {
   for (std::size_t i = 0; i < held_; ++i) {
-    if (places_[i].isOvertaken) countFault(places_[i].fault);
-    places_[i].left = 0;
-    places_[i].isOvertaken = false;  // already counted above
+    if (heldFrames_[i].isOvertaken) countFault(heldFrames_[i].fault);
+    heldFrames_[i].left = 0;
+    heldFrames_[i].isOvertaken = false;  // already counted above
   }
   isFlushing_ = true;
   isReordering_ = false;
@@ -163,15 +163,15 @@ void Impairment::releaseAll() noexcept {
 
 std::span<const std::uint8_t> Impairment::nextDue() noexcept {
   for (std::size_t i = 0; i < held_; ++i) {
-    const Held& place = places_[i];
+    const HeldFrame& place = heldFrames_[i];
     if (!isFlushing_ && (place.left > 0 || !place.isOvertaken)) continue;
     if (!isFlushing_) countFault(place.fault);
     const std::size_t size = place.size;
     std::copy_n(place.bytes.begin(), size, scratch_.begin());
     std::move(
-        places_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-        places_.begin() + static_cast<std::ptrdiff_t>(held_),
-        places_.begin() + static_cast<std::ptrdiff_t>(i));
+        heldFrames_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+        heldFrames_.begin() + static_cast<std::ptrdiff_t>(held_),
+        heldFrames_.begin() + static_cast<std::ptrdiff_t>(i));
     --held_;
     return std::span(scratch_).first(size);
   }
@@ -179,7 +179,7 @@ std::span<const std::uint8_t> Impairment::nextDue() noexcept {
   return {};
 }
 
-std::uint8_t Impairment::anyByte() noexcept {
+std::uint8_t Impairment::randomByte() noexcept {
   return static_cast<std::uint8_t>(random_.bits() >> 56);
 }
 
@@ -187,7 +187,7 @@ std::span<const std::uint8_t> Impairment::makeGarbage() noexcept {
   const auto garbage = std::span(scratch_).first(options_.garbage);
   for (std::uint8_t& byte : garbage) {
     do {
-      byte = anyByte();
+      byte = randomByte();
     } while (byte == options_.delimiter);
   }
   if (options_.delimiter) garbage.back() = *options_.delimiter;
@@ -202,7 +202,7 @@ std::span<const std::uint8_t> Impairment::damage(std::span<const std::uint8_t> f
     at = (at + 1) % frame.size();
   }
   do {
-    damaged[at] = anyByte();
+    damaged[at] = randomByte();
   } while (damaged[at] == frame[at] || damaged[at] == options_.delimiter);
   return damaged;
 }

@@ -45,9 +45,8 @@ struct InjectedCounts {
 /// - The frame after a reordered one gets no fault, so that exactly two frames change places.
 /// - A frame that is held back (Reorder, Delay) is sent only after a later frame has passed
 ///   undamaged, so that the receiver always sees it out of order. It is counted when it is sent.
-/// - If there is no space to hold a frame, the fault stays scheduled. Frames that are empty or
-/// longer
-///   than kLongestFrame pass without a fault.
+/// - If there is no space to hold a frame, the fault stays scheduled.
+/// - A frame that is empty or longer than kLongestFrame passes without a fault.
 ///
 /// One thread calls pass(); any thread may schedule faults and read counts. No function allocates
 /// after construction.
@@ -108,8 +107,8 @@ class Impairment {
 
   /// The exact numbers of injected faults. Any thread.
   InjectedCounts counts() const noexcept;
-  /// The number of ordered @p fault that are still pending. Any thread.
-  int waiting(Fault fault) const noexcept;
+  /// The number of scheduled faults of this kind that are still pending. Any thread.
+  int pendingCount(Fault fault) const noexcept;
   /// Number of frames held back at present. Only for the thread that calls pass().
   std::size_t held() const noexcept { return held_; }
 
@@ -121,7 +120,7 @@ class Impairment {
     std::span<const std::uint8_t> frame;
     int copies = 1;
   };
-  struct Held {
+  struct HeldFrame {
     Bytes bytes{};
     std::size_t size = 0;
     int left = 0;  ///< number of frames that pass before this one is due
@@ -134,7 +133,7 @@ class Impairment {
   /// Counts a frame that gets no fault; held frames come closer to being due.
   void countIntact() noexcept;
   std::optional<Fault> nextFault() noexcept;
-  std::optional<Fault> orderedFault() noexcept;
+  std::optional<Fault> scheduledFault() noexcept;
   std::optional<Fault> randomFault() noexcept;
   bool hasRoomFor(Fault fault) const noexcept;
   void hold(std::span<const std::uint8_t> frame, Fault fault, int frames) noexcept;
@@ -144,7 +143,7 @@ class Impairment {
   std::span<const std::uint8_t> nextDue() noexcept;
   std::span<const std::uint8_t> makeGarbage() noexcept;
   std::span<const std::uint8_t> damage(std::span<const std::uint8_t> frame) noexcept;
-  std::uint8_t anyByte() noexcept;
+  std::uint8_t randomByte() noexcept;
   void countFault(Fault fault) noexcept;
 
   template <typename Send>
@@ -154,7 +153,7 @@ class Impairment {
 
   Options options_;
   base::SplitMix64 random_;
-  std::vector<Held> places_;  ///< the held frames come first, by age
+  std::vector<HeldFrame> heldFrames_;  ///< the held frames come first, by age
   std::size_t held_ = 0;
   bool isReordering_ = false;  ///< a reordered frame waits for its successor
   bool isFlushing_ = false;    ///< all held frames are due

@@ -39,7 +39,7 @@ void PseudoTerminal::plugIn() {
     fail("no pseudo-terminal can be had from the system");
   }
   master_ = master;
-  name_ = name.data();
+  systemName_ = name.data();
   termios settings{};
   if (tcgetattr(master_, &settings) == 0) {
     cfmakeraw(&settings);
@@ -48,7 +48,7 @@ void PseudoTerminal::plugIn() {
   if (link_.empty()) return;
   requireUnusedLink();
   removeLink();
-  if (symlink(name_.c_str(), link_.c_str()) != 0) {
+  if (symlink(systemName_.c_str(), link_.c_str()) != 0) {
     unplug();
     fail("the name " + link_ + " cannot be given to the port");
   }
@@ -66,7 +66,7 @@ void PseudoTerminal::unplug() noexcept {
 void PseudoTerminal::requireUnusedLink() {
   std::array<char, 256> target{};
   const ssize_t size = readlink(link_.c_str(), target.data(), target.size() - 1);
-  if (size <= 0 || name_ == target.data() || access(link_.c_str(), F_OK) != 0) return;
+  if (size <= 0 || systemName_ == target.data() || access(link_.c_str(), F_OK) != 0) return;
   close(master_);
   master_ = -1;
   throw std::runtime_error(

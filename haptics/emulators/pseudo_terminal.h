@@ -19,7 +19,7 @@ class PseudoTerminal {
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
   /// The path to open: the link if there is one.
-  const std::string& port() const noexcept { return link_.empty() ? name_ : link_; }
+  const std::string& port() const noexcept { return link_.empty() ? systemName_ : link_; }
 
   /// unplug() simulates that the cable is pulled out, plugIn() that it is plugged in again; the
   /// system then gives the port another name.
@@ -38,7 +38,7 @@ class PseudoTerminal {
   void removeLink() noexcept;
 
   std::string link_;
-  std::string name_;
+  std::string systemName_;
   int master_ = -1;
 };
 

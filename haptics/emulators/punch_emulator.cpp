@@ -112,8 +112,8 @@ std::int32_t PunchEmulator::counts() const noexcept {
 
 void PunchEmulator::drive(std::int16_t millivolts) noexcept {
   if (voltage_ != 0 && millivolts == 0) {
-    zeroAt_ = timing::now();
-    if (forceOffAt_ == 0) forceOffAt_ = zeroAt_;
+    voltageZeroAt_ = timing::now();
+    if (forceOffAt_ == 0) forceOffAt_ = voltageZeroAt_;
   }
   voltage_ = millivolts;
 }
@@ -203,7 +203,7 @@ std::string PunchEmulator::status() const {
       voltage_,
       static_cast<unsigned long long>(steps_),
       after.value_or(-1.0),
-      static_cast<long long>(zeroAt_));
+      static_cast<long long>(voltageZeroAt_));
   std::string all = text.data();
   const auto counts = impairment_.counts();
   for (std::size_t i = 0; i < kFaultNames.size(); ++i) {

@@ -51,8 +51,9 @@ class PunchEmulator {
 
   /// The faults of frames injected so far.
   InjectedCounts injected() const noexcept { return impairment_.counts(); }
-  /// Time from the last command that caused a fault until the motor was without voltage [ms];
-  /// std::nullopt without such a command, if the motor had no voltage then, or while it still has.
+  /// Time from the last command that caused a fault until the motor had no voltage [ms].
+  /// std::nullopt if there was no such command, if the motor had no voltage when it came, or if the
+  /// motor still has a voltage.
   std::optional<double> motorOffAfter() const noexcept;
   double force() const noexcept { return 1e-3 * voltage_ * options_.newtonsPerVolt; }  ///< [N]
   double travel() const noexcept { return travel_; }  ///< [travel units]
@@ -84,9 +85,9 @@ class PunchEmulator {
   std::int64_t stalledSince_ = 0;
   std::int64_t mutedUntil_ = 0;
   std::int64_t faultAt_ = 0;
-  std::int64_t forceOffAt_ = 0;  // after the fault
-  std::int64_t zeroAt_ = 0;      // when the motor's voltage became 0 last
-  bool hadForce_ = false;        // when the fault began, the motor had a voltage
+  std::int64_t forceOffAt_ = 0;     // after the fault
+  std::int64_t voltageZeroAt_ = 0;  // when the motor's voltage became 0 last
+  bool hadForce_ = false;           // when the fault began, the motor had a voltage
   std::uint64_t steps_ = 0;
   std::array<std::uint8_t, 1024> input_{};
   std::size_t inputSize_ = 0;

@@ -87,7 +87,7 @@ MaterialModel::MaterialModel(const MaterialSpec& spec, const Reamer& reamer)
   if (auto torque = blendedTorque(spec); !torque.empty()) torqueCurve_.emplace(std::move(torque));
 }
 
-void MaterialModel::respondWithTorque(const ToolState& tool) noexcept {
+void MaterialModel::updateTorque(const ToolState& tool) noexcept {
   torque_ = 0.0;
   if (!torqueCurve_ || !tool.isReamerOn) return;
   const auto response = torqueCurve_->at(tool.travel);
@@ -117,7 +117,7 @@ std::optional<SlopeBound> MaterialModel::slopeBound() const noexcept {
 namespace {
 
 /// The depth at which a reamer leaves the bone on the far side [m].
-double depthOf(const reaming::SphereField& field, const reaming::PlungePath& plunge) {
+double exitDepthOf(const reaming::SphereField& field, const reaming::PlungePath& plunge) {
   double last = plunge.start;
   for (std::size_t slot = 0; slot < field.slotCount(); ++slot) {
     const double radius = field.group(slot).radius[slot % reaming::kLanes];
@@ -143,8 +143,9 @@ PackingModel::PackingModel(const PackingSpec& spec, const Reamer& reamer)
       plunge_(reaming::plungePathInto(field_, spec.bone->reamerRadius)),
       coverage_(spec.bone->packing.coverage()),
       friction_(reamer.torqueSign() * spec.options.friction) {
-  constexpr double kStep = 20e-6;                   // [m]
-  const double deepest = depthOf(field_, plunge_);  // a device may reach beyond its kind's travel
+  constexpr double kStep = 20e-6;  // [m]
+  const double deepest =
+      exitDepthOf(field_, plunge_);  // a device may reach beyond its kind's travel
   double before = 0.0;
   for (int i = 0; i * kStep <= deepest; ++i) {
     const double force = forceOf(field_.touch(plunge_.at(kStep * i), false));
@@ -169,12 +170,12 @@ RemovalModel::RemovalModel(const PackingSpec& spec, bool isVisualised, const Rea
           optionsOf(spec, reamer)),
       plunge_(reaming::plungePathInto(bone_.field(), spec.bone->reamerRadius)),
       stiffness_(spec.options.coupling),
-      isForwards_(reamer.speed > 0.0),
+      isTurningForwards_(reamer.speed > 0.0),
       torqueSign_(spec.options.friction > 0.0 ? reamer.torqueSign() : 0),
       view_(isVisualised ? std::make_unique<BoneView>() : nullptr) {}
 
 models::Response<double> RemovalModel::respond(const ToolState& tool) noexcept {
-  bone_.setSpinning(isForwards_ && tool.isReamerOn);
+  bone_.setSpinning(isTurningForwards_ && tool.isReamerOn);
   const auto felt = bone_.step(plunge_.at(tool.travel), tool.dt);
   if (view_) updateView();
   torque_ = tool.isReamerOn ? torqueSign_ * felt.frictionTorque : 0.0;

@@ -40,8 +40,8 @@ class BoneView {
   /// Depth of the reamer along its path [m].
   double depth() const noexcept { return depth_.load(std::memory_order_relaxed); }
 
-  /// Number of changes that were lost, because a buffer was full: the picture still shows removed
-  /// spheres.
+  /// Number of changes that were lost because a buffer was full. The picture still shows the
+  /// spheres whose removal was lost.
   std::uint64_t lost() const noexcept {
     return changes_.lost() + unreported_.load(std::memory_order_relaxed);
   }
@@ -59,9 +59,10 @@ class BoneView {
   std::atomic<std::uint64_t> unreported_{0};
 };
 
-/// The jitter of a measured force as noise over time: one normally distributed number per sample of
-/// the measurement, linearly interpolated in between. It changes also while the tool rests, and for
-/// small forces it scales with the force: no slope bounds it, see RenderedSlope::jitter.
+/// Noise over time that imitates the jitter of a measured force: one normally distributed number
+/// per sample of the measurement, linearly interpolated in between. The noise changes even while
+/// the tool rests, and for small forces it is proportional to the force. So no slope bounds it, see
+/// RenderedSlope::jitter.
 class JitterNoise {
  public:
   /// @param scale  scale factor of all forces of the scene.
@@ -93,7 +94,7 @@ class JitterNoise {
   }
 
  private:
-  /// Forces of at least kFullNoiseRatio · RMS get the noise undiminished.
+  /// If the force is at least kFullNoiseRatio · RMS, the noise is not reduced.
   static constexpr double kFullNoiseRatio = 5.0;
 
   double rms_;   ///< [N]
@@ -138,7 +139,7 @@ class MaterialModel final : public ForceModel {
   models::Response<double> respond(const ToolState& tool) noexcept override {
     auto response = force_.at(tool.travel);
     if (response.isDefined) response.force += jitter_.step(response.force, tool.dt);
-    respondWithTorque(tool);
+    updateTorque(tool);
     return response;
   }
   void reset() noexcept override {
@@ -159,7 +160,7 @@ class MaterialModel final : public ForceModel {
   std::size_t bytes() const noexcept { return force_.bytes(); }
 
  private:
-  void respondWithTorque(const ToolState& tool) noexcept;
+  void updateTorque(const ToolState& tool) noexcept;
 
   BlendedCurve force_;
   std::optional<BlendedCurve> torqueCurve_;  ///< std::nullopt if no torque is rendered
@@ -235,7 +236,7 @@ class RemovalModel final : public ForceModel {
   reaming::Bone bone_;
   reaming::PlungePath plunge_;
   double stiffness_;
-  bool isForwards_;  ///< the reamer turns in the direction in which its teeth cut
+  bool isTurningForwards_;  ///< the reamer turns in the direction in which its teeth cut
   int torqueSign_;
   double torque_ = 0.0;  ///< [N·m]
   std::unique_ptr<BoneView> view_;

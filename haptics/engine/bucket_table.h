@@ -23,14 +23,16 @@ class BucketTable {
 
   models::SegmentIndex<double> index() const noexcept;
 
-  std::size_t buckets() const noexcept { return first_.empty() ? 0 : first_.size() - 1; }
-  std::size_t bytes() const noexcept { return first_.size() * sizeof(first_[0]); }
+  std::size_t buckets() const noexcept {
+    return firstPieces_.empty() ? 0 : firstPieces_.size() - 1;
+  }
+  std::size_t bytes() const noexcept { return firstPieces_.size() * sizeof(firstPieces_[0]); }
 
  private:
   bool fill(std::span<const double> knots, std::uint32_t buckets);
 
-  models::SegmentIndex<double> shape_;
-  std::vector<std::uint32_t> first_;
+  models::SegmentIndex<double> index_;
+  std::vector<std::uint32_t> firstPieces_;
 };
 
 }  // namespace haptics::engine

@@ -33,7 +33,7 @@ std::string describe(const models::FiniteElements<double>::Parameters& p) {
   return words.append(", yielding ").append(nameIn(kYieldLawNames, p.yielding));
 }
 
-std::string inHundredths(double share) {
+std::string twoDecimals(double share) {
   char text[8];
   std::snprintf(text, sizeof text, "%.2f", share);
   return text;
@@ -44,7 +44,7 @@ std::string describe(const KalmanSpec& spec) {
   words.append(nameIn(kSchemeNames, spec.scheme));
   if (spec.isProcessAsPrinted) words += ", process as-printed";
   words.append(", smoothing ").append(nameIn(kSmoothingNames, spec.smoothing));
-  return words + ", the interpolation weighs " + inHundredths(interpolationWeight(spec));
+  return words + ", the interpolation weighs " + twoDecimals(interpolationWeight(spec));
 }
 
 /// Describes how fast a reamer advances through bone; empty for a reamer without a limit.
@@ -139,8 +139,9 @@ struct Builder {
   }
 
   /// @param of  what the torque is computed from.
-  /// @param lack  the reason that is reported if the reamer turns but the model has no torque.
-  void torque(const std::string& of, const char* lack) {
+  /// @param noTorqueReason  the reason that is reported if the reamer turns but the model has no
+  /// torque.
+  void torque(const std::string& of, const char* noTorqueReason) {
     if (!reamer.hasTorque) {
       leaveOut(kTorque, "release 0.1, under which this study began, rendered forces alone");
     } else if (reamer.speed == 0.0) {
@@ -148,7 +149,7 @@ struct Builder {
     } else if (model->hasTorque()) {
       use(kTorque, of, 0);
     } else {
-      leaveOut(kTorque, lack);
+      leaveOut(kTorque, noTorqueReason);
     }
   }
 
@@ -195,14 +196,14 @@ struct Builder {
       model = std::move(packing);
     }
     torque(
-        "friction " + inHundredths(spec.options.friction) + " on the spheres, against the spin",
+        "friction " + twoDecimals(spec.options.friction) + " on the spheres, against the spin",
         "there is no friction");
   }
 };
 
 /// The finite elements that are drawn for a punch: the model's own, else elements that match its
 /// recorded cut, else the default elements.
-FiniteElementsSpec shownTissue(const SceneSpec& spec) {
+FiniteElementsSpec drawnTissue(const SceneSpec& spec) {
   const auto parts = partsOf(spec.model);
   if (parts.elements != nullptr) return *parts.elements;
   return parts.cut != nullptr ? elementsMatching(*parts.cut) : FiniteElementsSpec{};
@@ -210,13 +211,13 @@ FiniteElementsSpec shownTissue(const SceneSpec& spec) {
 
 }  // namespace
 
-MeshView::MeshView(const FiniteElementsSpec& spec, TissueDrawing law)
-    : law_(law), contact_(spec.parameters.contact) {
+MeshView::MeshView(const FiniteElementsSpec& spec, TissueDrawing drawing)
+    : drawing_(drawing), contact_(spec.parameters.contact) {
   const models::FiniteElements<double> elements(spec.asParameters());
   std::vector<double> displacements(static_cast<std::size_t>(elements.elements()));
   elements.writeMeshShape(displacements.data());
   shape_.push_back({elements.position(0), 0.0});
-  const double scale = law == TissueDrawing::Penetration ? elements.stiffness() : 1.0;
+  const double scale = drawing == TissueDrawing::Penetration ? elements.stiffness() : 1.0;
   for (int node = 1; node <= elements.elements(); ++node) {
     const double displacement = scale * displacements[static_cast<std::size_t>(node) - 1];
     shape_.push_back({elements.position(node), std::isfinite(displacement) ? displacement : 0.0});
@@ -227,7 +228,7 @@ MeshView::MeshView(const FiniteElementsSpec& spec, TissueDrawing law)
 std::vector<MeshView::Point> MeshView::at(double travel, double force) const {
   std::vector<Point> points = shape_;
   const double pressed =
-      law_ == TissueDrawing::Penetration ? std::max(travel - contact_, 0.0) : force;
+      drawing_ == TissueDrawing::Penetration ? std::max(travel - contact_, 0.0) : force;
   for (auto& point : points) point.displacement *= pressed;
   return points;
 }
@@ -241,7 +242,7 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
   std::visit(builder, spec.model);
   const bool isMeniscus = infoOf(spec.model).tissue == devices::Tissue::Meniscus;
   if (spec.isVisualised && isMeniscus) {
-    mesh_.emplace(shownTissue(spec), spec.tissueDrawing);
+    mesh_.emplace(drawnTissue(spec), spec.tissueDrawing);
     std::string why = "the tissue is shown and follows the ";
     why.append(nameIn(kTissueDrawingNames, spec.tissueDrawing));
     builder.use(kMesh, why + "; solved when a picture is drawn, not in the tick", 0);

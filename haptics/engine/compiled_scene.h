@@ -20,7 +20,8 @@ namespace haptics::engine {
 ///     force: y_mesh = K⁻¹ c f, with f the rendered force at the handle.
 class MeshView {
  public:
-  explicit MeshView(const FiniteElementsSpec& spec, TissueDrawing law = TissueDrawing::Penetration);
+  explicit MeshView(
+      const FiniteElementsSpec& spec, TissueDrawing drawing = TissueDrawing::Penetration);
 
   struct Point {
     double position = 0.0;      ///< along the tissue, in the unit of start and end of
@@ -33,7 +34,7 @@ class MeshView {
   std::vector<Point> at(double travel, double force) const;
 
  private:
-  TissueDrawing law_;
+  TissueDrawing drawing_;
   double contact_;            ///< [travel units]
   std::vector<Point> shape_;  ///< for 1 N, or for 1 travel unit of penetration
 };
@@ -41,7 +42,7 @@ class MeshView {
 /// One step of computing a scene's force: whether this scene needs it, and why.
 struct Pass {
   std::string name;
-  bool isIn = false;
+  bool isInUse = false;
   std::string why;
   std::size_t bytes = 0;  ///< of memory that the tick reads
 };
@@ -69,7 +70,7 @@ class CompiledScene {
   /// nullptr if no meniscus is drawn.
   const MeshView* mesh() const noexcept { return mesh_ ? &*mesh_ : nullptr; }
 
-  /// nullptr if no bone is removed, or none is drawn.
+  /// nullptr if the scene removes no bone, or does not draw it.
   BoneView* bone() const noexcept { return bone_; }
 
   /// All passes: those in use and those left out, with the reasons.

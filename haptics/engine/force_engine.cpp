@@ -6,7 +6,7 @@
 namespace haptics::engine {
 namespace {
 
-const SafetyLimits& checked(const SafetyLimits& limits) {
+const SafetyLimits& validated(const SafetyLimits& limits) {
   const bool isSound = limits.maxVelocity > 0.0 && limits.rampTime > 0.0 &&
                        std::isfinite(limits.rampTime) && limits.softStartShare > 0.0 &&
                        limits.softStartShare <= 1.0 && limits.longestSilence > 0.0;
@@ -46,8 +46,8 @@ std::uint8_t marksOf(std::uint8_t reasons, bool hasScene) noexcept {
 ForceEngine::ForceEngine(devices::Device& device, const SafetyLimits& limits)
     : device_(device),
       limiter_(limits),
-      torqueLimiter_(ForceLimiter::ofTorque(limits)),
-      gate_(checked(limits)),
+      torqueLimiter_(ForceLimiter::forTorque(limits)),
+      gate_(validated(limits)),
       energy_(energySettings(device.capabilities(), limits)),
       rotationEnergy_(rotationEnergySettings(limits)),
       cuts_(device.capabilities().kind->stroke) {}
@@ -56,8 +56,8 @@ void ForceEngine::setScene(CompiledScene* scene) noexcept {
   scene_.store(scene, std::memory_order_release);
 }
 
-/// Reads the device. @return  whether there is a new sample; otherwise the last values stay, and
-/// the sample's status says so.
+/// Reads the device. Returns whether there is a new sample. If not, @p sample gets the last travel
+/// and velocity, and its status says why.
 bool ForceEngine::read(TickSample& sample, double dt) noexcept {
   const devices::DeviceSample seen = device_.read(dt);
   sample.status = seen.status;
@@ -87,7 +87,7 @@ bool ForceEngine::read(TickSample& sample, double dt) noexcept {
   return isMeasured;
 }
 
-void ForceEngine::takeScene() noexcept {
+void ForceEngine::adoptScene() noexcept {
   CompiledScene* scene = scene_.load(std::memory_order_acquire);
   if (scene == lastScene_) return;
   lastScene_ = scene;
@@ -102,7 +102,7 @@ TickSample ForceEngine::tick(double dt, int missedPeriods) noexcept {
   TickSample sample;
   sample.tick = ticks_++;
   const bool isMeasured = read(sample, dt);
-  takeScene();
+  adoptScene();
   if (lastScene_ == nullptr) sample.marks |= TickSample::NoScene;
   if (isStopped()) {
     sample.marks |= TickSample::Stopped;

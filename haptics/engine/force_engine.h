@@ -53,7 +53,7 @@ class ForceEngine {
 
  private:
   bool read(TickSample& sample, double dt) noexcept;
-  void takeScene() noexcept;
+  void adoptScene() noexcept;
   void render(TickSample& sample, const ForceGate::Input& input, double dt) noexcept;
   void renderTorque(TickSample& sample, double gain, double dt) noexcept;
   double desiredForce(TickSample& sample) noexcept;

@@ -7,7 +7,7 @@
 namespace haptics::engine {
 
 ForceLimiter::ForceLimiter(double most, double rate, std::uint8_t saturated, std::uint8_t slewed)
-    : most_(most), rate_(rate), saturationFlag_(saturated), slewFlag_(slewed) {
+    : largest_(most), rate_(rate), saturationFlag_(saturated), slewFlag_(slewed) {
   const auto isSound = [](double value) { return std::isfinite(value) && value > 0.0; };
   if (!isSound(most) || !isSound(rate)) {
     throw std::invalid_argument("a limit of force or torque must be a positive number");
@@ -17,7 +17,7 @@ ForceLimiter::ForceLimiter(double most, double rate, std::uint8_t saturated, std
 ForceLimiter::ForceLimiter(const SafetyLimits& limits)
     : ForceLimiter(limits.maxForce, limits.maxRate, Saturated, Slewed) {}
 
-ForceLimiter ForceLimiter::ofTorque(const SafetyLimits& limits) {
+ForceLimiter ForceLimiter::forTorque(const SafetyLimits& limits) {
   return {limits.maxTorque, limits.maxTorqueRate, TorqueSaturated, TorqueSlewed};
 }
 
@@ -29,7 +29,7 @@ ForceLimiter::Limited ForceLimiter::limit(double desired, double dt) noexcept {
     result.interventions = NotFinite;
     return result;
   }
-  double force = std::clamp(desired, -most_, most_);
+  double force = std::clamp(desired, -largest_, largest_);
   if (force != desired) result.interventions |= saturationFlag_;
 
   // Slew-limit after saturation, so that a force above the maximum rises no faster than one below

@@ -61,7 +61,7 @@ class ForceLimiter {
   /// A limiter of a torque: its input and Limited::force are torques [N·m], and it sets the
   /// interventions of a torque.
   /// @throws std::invalid_argument  if maxTorque or maxTorqueRate is not a positive finite number.
-  static ForceLimiter ofTorque(const SafetyLimits& limits);
+  static ForceLimiter forTorque(const SafetyLimits& limits);
 
   /// Returns the allowed force nearest to @p desired [N], @p dt [s] after the last call; 0 if @p
   /// desired is not finite or @p dt not positive.
@@ -73,7 +73,7 @@ class ForceLimiter {
  private:
   ForceLimiter(double most, double rate, std::uint8_t saturated, std::uint8_t slewed);
 
-  double most_;
+  double largest_;
   double rate_;
   std::uint8_t saturationFlag_;  ///< the intervention that reports saturation
   std::uint8_t slewFlag_;        ///< the intervention that reports the slew limit
@@ -86,8 +86,8 @@ class ForceLimiter {
 ///   again or the tool is slow again: the gain stays 0 until the scene's force is small, and then
 ///   rises to 1 over the ramp time.
 /// - A missing sample is bridged by the last force for one tick; then the force fades.
-/// - One missed period is bridged by the device itself. More reduce the gain as much as fading
-///   ticks would have; it then rises over the ramp.
+/// - One missed period is bridged by the device itself. Several reduce the gain by as much as
+///   fading would have done in that time; it then rises over the ramp.
 class ForceGate {
  public:
   /// Why the gain is below 1, as bits.

@@ -46,8 +46,8 @@ class ForceModel {
   /// The steepest slope of the model's force curves [N per travel unit].
   virtual double largestStiffness() const noexcept = 0;
 
-  /// K for every motion: |ΔF| ≤ K |Δx|. std::nullopt if the model knows none, as for a filter or a
-  /// curve with a jump; renderedSlope() then measures K.
+  /// A bound K that holds for every motion: |ΔF| ≤ K |Δx|. std::nullopt if the model knows no such
+  /// bound, as a filter or a curve with a jump; renderedSlope() then measures K.
   virtual std::optional<SlopeBound> slopeBound() const noexcept {
     return SlopeBound{.slope = largestStiffness()};
   }

@@ -18,62 +18,63 @@ inline constexpr auto kModelNames = namesOf(std::type_identity<ModelSpec>{});
 
 /// An enumerator of a model's option, with its name in protocols.
 template <typename Value>
-struct Named {
+struct NamedValue {
   std::string_view name;
   Value value;
 };
 
 inline constexpr std::array kExtrapolationNames{
-    Named<models::Extrapolation>{"ramp-out", models::Extrapolation::RampOut},
-    Named<models::Extrapolation>{"hold", models::Extrapolation::Hold},
-    Named<models::Extrapolation>{"zero", models::Extrapolation::Zero},
-    Named<models::Extrapolation>{"authors-clamp", models::Extrapolation::AuthorsClamp},
-    Named<models::Extrapolation>{"absent", models::Extrapolation::Absent},
+    NamedValue<models::Extrapolation>{"ramp-out", models::Extrapolation::RampOut},
+    NamedValue<models::Extrapolation>{"hold", models::Extrapolation::Hold},
+    NamedValue<models::Extrapolation>{"zero", models::Extrapolation::Zero},
+    NamedValue<models::Extrapolation>{"authors-clamp", models::Extrapolation::AuthorsClamp},
+    NamedValue<models::Extrapolation>{"absent", models::Extrapolation::Absent},
 };
 inline constexpr std::array kBranchesNames{
-    Named<Branches>{"closing-only", Branches::ClosingOnly},
-    Named<Branches>{"hysteresis", Branches::Hysteresis},
+    NamedValue<Branches>{"closing-only", Branches::ClosingOnly},
+    NamedValue<Branches>{"hysteresis", Branches::Hysteresis},
 };
 inline constexpr std::array kBoundaryNames{
-    Named<models::BoundaryCondition>{"A", models::BoundaryCondition::A},
-    Named<models::BoundaryCondition>{"B", models::BoundaryCondition::B},
+    NamedValue<models::BoundaryCondition>{"A", models::BoundaryCondition::A},
+    NamedValue<models::BoundaryCondition>{"B", models::BoundaryCondition::B},
 };
 inline constexpr std::array kWeightsNames{
-    Named<models::ToolInterpolation>{"paper", models::ToolInterpolation::Paper},
-    Named<models::ToolInterpolation>{
+    NamedValue<models::ToolInterpolation>{"paper", models::ToolInterpolation::Paper},
+    NamedValue<models::ToolInterpolation>{
         "authors-firmware", models::ToolInterpolation::AuthorsFirmware},
-    Named<models::ToolInterpolation>{"exact-kink", models::ToolInterpolation::ExactKink},
+    NamedValue<models::ToolInterpolation>{"exact-kink", models::ToolInterpolation::ExactKink},
 };
 inline constexpr std::array kYieldLawNames{
-    Named<models::YieldLaw>{"clip", models::YieldLaw::Clip},
-    Named<models::YieldLaw>{"return-map", models::YieldLaw::ReturnMap},
+    NamedValue<models::YieldLaw>{"clip", models::YieldLaw::Clip},
+    NamedValue<models::YieldLaw>{"return-map", models::YieldLaw::ReturnMap},
 };
 inline constexpr std::array kSchemeNames{
-    Named<models::KalmanScheme>{"paper-text", models::KalmanScheme::PaperText},
-    Named<models::KalmanScheme>{"authors-firmware", models::KalmanScheme::AuthorsFirmware},
-    Named<models::KalmanScheme>{"sequential", models::KalmanScheme::Sequential},
-    Named<models::KalmanScheme>{"space-domain", models::KalmanScheme::SpaceDomain},
+    NamedValue<models::KalmanScheme>{"paper-text", models::KalmanScheme::PaperText},
+    NamedValue<models::KalmanScheme>{"authors-firmware", models::KalmanScheme::AuthorsFirmware},
+    NamedValue<models::KalmanScheme>{"sequential", models::KalmanScheme::Sequential},
+    NamedValue<models::KalmanScheme>{"space-domain", models::KalmanScheme::SpaceDomain},
 };
 inline constexpr std::array kProcessNames{
-    Named<models::ProcessNoiseReading>{"as-printed", models::ProcessNoiseReading::AsPrinted},
-    Named<models::ProcessNoiseReading>{"symmetrised", models::ProcessNoiseReading::Symmetrised},
-    Named<models::ProcessNoiseReading>{"state-order", models::ProcessNoiseReading::StateOrder},
-    Named<models::ProcessNoiseReading>{"product", models::ProcessNoiseReading::Product},
+    NamedValue<models::ProcessNoiseReading>{"as-printed", models::ProcessNoiseReading::AsPrinted},
+    NamedValue<models::ProcessNoiseReading>{
+        "symmetrised", models::ProcessNoiseReading::Symmetrised},
+    NamedValue<models::ProcessNoiseReading>{"state-order", models::ProcessNoiseReading::StateOrder},
+    NamedValue<models::ProcessNoiseReading>{"product", models::ProcessNoiseReading::Product},
 };
 inline constexpr std::array kSmoothingNames{
-    Named<models::Smoothing>{"none", models::Smoothing::None},
-    Named<models::Smoothing>{"two-point", models::Smoothing::TwoPoint},
-    Named<models::Smoothing>{"authors-firmware", models::Smoothing::AuthorsFirmware},
+    NamedValue<models::Smoothing>{"none", models::Smoothing::None},
+    NamedValue<models::Smoothing>{"two-point", models::Smoothing::TwoPoint},
+    NamedValue<models::Smoothing>{"authors-firmware", models::Smoothing::AuthorsFirmware},
 };
 
 inline constexpr std::array kTissueDrawingNames{
-    Named<TissueDrawing>{"penetration", TissueDrawing::Penetration},
-    Named<TissueDrawing>{"force", TissueDrawing::Force},
+    NamedValue<TissueDrawing>{"penetration", TissueDrawing::Penetration},
+    NamedValue<TissueDrawing>{"force", TissueDrawing::Force},
 };
 
 /// @param value  one of @p names.
 template <typename Value, std::size_t kCount>
-constexpr std::string_view nameIn(const std::array<Named<Value>, kCount>& names, Value value) {
+constexpr std::string_view nameIn(const std::array<NamedValue<Value>, kCount>& names, Value value) {
   for (const auto& named : names) {
     if (named.value == value) return named.name;
   }
@@ -82,7 +83,7 @@ constexpr std::string_view nameIn(const std::array<Named<Value>, kCount>& names,
 
 /// @param name  one of @p names; for another name the first value is returned.
 template <typename Value, std::size_t kCount>
-constexpr Value valueIn(const std::array<Named<Value>, kCount>& names, std::string_view name) {
+constexpr Value valueIn(const std::array<NamedValue<Value>, kCount>& names, std::string_view name) {
   for (const auto& named : names) {
     if (named.name == name) return named.value;
   }

@@ -13,7 +13,7 @@ void EnergyObserver::observe(double held, double moved, double velocity, double 
     return;
   }
   energy_ += taken;
-  least_ = std::min(least_, energy_);
+  leastEnergy_ = std::min(leastEnergy_, energy_);
 }
 
 double EnergyObserver::damped(double desired, double velocity, double dt) const noexcept {

@@ -90,14 +90,14 @@ class EnergyObserver {
   double damped(double desired, double velocity, double dt) const noexcept;
 
   bool isActive() const noexcept { return energy_ < -settings_.tolerance; }
-  double energy() const noexcept { return energy_; }  ///< E of this contact [N·travel unit]
-  double least() const noexcept { return least_; }    ///< smallest E since construction
+  double energy() const noexcept { return energy_; }      ///< E of this contact [N·travel unit]
+  double least() const noexcept { return leastEnergy_; }  ///< smallest E since construction
   void reset() noexcept { energy_ = 0.0; }
 
  private:
   Settings settings_;
   double energy_ = 0.0;
-  double least_ = 0.0;
+  double leastEnergy_ = 0.0;
 };
 
 }  // namespace haptics::engine

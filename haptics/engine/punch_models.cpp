@@ -14,8 +14,8 @@ std::vector<double> travelsOf(const std::vector<models::CurveNode<double>>& node
   return travels;
 }
 
-/// Delay of a slow change [ticks]: 0.5 for the mean of two samples; for the authors' filter 1.5
-/// from its two old samples plus 0.5 from its feedback.
+/// Delay of a slow change of force [ticks]: 0.5 for the mean of two samples. For the authors'
+/// filter it is 1.5 from the two old samples, plus 0.5 from the feedback.
 double delayOf(models::Smoothing smoothing) {
   if (smoothing == models::Smoothing::TwoPoint) return 0.5;
   return smoothing == models::Smoothing::AuthorsFirmware ? 2.0 : 0.0;
@@ -220,7 +220,7 @@ namespace {
 /// Steady output of a filter that fuses 0 N and 1 N. The tool moves back and forth, so that the
 /// filter estimates no slope.
 template <typename Filter>
-double settled(Filter filter) noexcept {
+double steadyOutput(Filter filter) noexcept {
   constexpr double kStep = 0.02;  // [travel units]: 20 a second at 1 kHz
   constexpr int kSteps = 20'000;
   double last = 0.0;
@@ -236,8 +236,8 @@ double settled(Filter filter) noexcept {
 
 double interpolationWeight(const KalmanSpec& spec) noexcept {
   using Printed = models::KalmanFilter<double, models::TextbookCovariance>;
-  if (spec.isProcessAsPrinted) return settled(Printed(spec.noise.asPrinted(), spec.scheme));
-  return settled(models::KalmanFilter<double>(spec.noise.factored(), spec.scheme));
+  if (spec.isProcessAsPrinted) return steadyOutput(Printed(spec.noise.asPrinted(), spec.scheme));
+  return steadyOutput(models::KalmanFilter<double>(spec.noise.factored(), spec.scheme));
 }
 
 }  // namespace haptics::engine

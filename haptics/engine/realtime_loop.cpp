@@ -27,9 +27,9 @@ HostPauseDetector::~HostPauseDetector() {
   if (file_ >= 0) close(file_);
 }
 
-/// Total time that the thread has waited for a processor [ns]: the file's second number. −1 if the
-/// kernel does not count: then the third number, of time slices, is 0 although the thread is
-/// running.
+/// Total time that the thread has waited for a processor [ns], which is the second number in the
+/// file; −1 if the kernel does not count. A kernel that does not count writes 0 as the third number
+/// (of time slices), although the thread is running.
 std::int64_t HostPauseDetector::waited() const noexcept {
   char text[96];
   const auto length = file_ < 0 ? -1 : pread(file_, text, sizeof text, 0);
@@ -45,14 +45,15 @@ std::int64_t HostPauseDetector::waited() const noexcept {
 }
 
 void HostPauseDetector::restart() noexcept {
-  before_ = waited();
+  waitedBefore_ = waited();
 }
 
 std::int64_t HostPauseDetector::latenessOfThisMachine(std::int64_t late) noexcept {
   const std::int64_t now = waited();
-  const bool isCounted = now >= 0 && before_ >= 0;
-  const std::int64_t ours = isCounted ? std::clamp<std::int64_t>(now - before_, 0, late) : late;
-  before_ = now;
+  const bool isCounted = now >= 0 && waitedBefore_ >= 0;
+  const std::int64_t ours =
+      isCounted ? std::clamp<std::int64_t>(now - waitedBefore_, 0, late) : late;
+  waitedBefore_ = now;
   return ours;
 }
 
@@ -140,7 +141,7 @@ const RealtimeLoop::Report& RealtimeLoop::finish() {
   return report_;
 }
 
-void RealtimeLoop::note(std::int64_t late, std::int64_t own, std::int64_t period) noexcept {
+void RealtimeLoop::recordTick(std::int64_t late, std::int64_t own, std::int64_t period) noexcept {
   report_.lateness.add(microseconds(late));
   report_.ownLateness.add(microseconds(own));
   ticks_.store(++report_.ticks, std::memory_order_relaxed);
@@ -180,7 +181,7 @@ void RealtimeLoop::run(const std::stop_token& stop) {
     } else if (report_.ticks % kTicksPerRestart == 0) {
       hostPauses.restart();
     }
-    note(late, own, period);
+    recordTick(late, own, period);
     last = now();
     tick_(dt, microseconds(late));
     const std::int64_t took = now() - last;

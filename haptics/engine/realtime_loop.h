@@ -40,7 +40,7 @@ class HostPauseDetector {
   std::int64_t waited() const noexcept;
 
   int file_ = -1;
-  std::int64_t before_ = 0;
+  std::int64_t waitedBefore_ = 0;
 };
 
 /// A thread that calls a function at a fixed rate, or at the pace of a device. It drives
@@ -101,7 +101,7 @@ class RealtimeLoop {
  private:
   class Pace;
   void run(const std::stop_token& stop);
-  void note(std::int64_t late, std::int64_t own, std::int64_t period) noexcept;
+  void recordTick(std::int64_t late, std::int64_t own, std::int64_t period) noexcept;
 
   Options options_;
   Tick tick_;

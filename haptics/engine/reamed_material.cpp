@@ -16,16 +16,16 @@ MaterialSpec withoutJitter(MaterialSpec spec) {
 ReamedMaterialModel::ReamedMaterialModel(const MaterialSpec& spec, const Reamer& reamer)
     : material_(withoutJitter(spec), reamer),
       jitter_(spec.jitter, spec.forceScale, spec.jitterSeed),
-      surface_(material_.segments().front().begin),
+      surfaceDepth_(material_.segments().front().begin),
       mostFeed_(reamer.mostFeed()),
       damping_(spec.forceScale * reamer.cuttingDampingOf(kCuttingDamping)),
-      depth_(surface_) {}
+      depth_(surfaceDepth_) {}
 
 models::Response<double> ReamedMaterialModel::respond(const ToolState& tool) noexcept {
   torque_ = 0.0;
   if (!std::isfinite(tool.travel)) return {};
   if (tool.travel <= depth_) {
-    depth_ = std::max(tool.travel, surface_);
+    depth_ = std::max(tool.travel, surfaceDepth_);
     return {0.0, 0.0, true};
   }
   const double mostFeed = tool.isReamerOn ? mostFeed_ : 0.0;
@@ -45,7 +45,7 @@ models::Response<double> ReamedMaterialModel::respond(const ToolState& tool) noe
 }
 
 void ReamedMaterialModel::reset() noexcept {
-  depth_ = surface_;
+  depth_ = surfaceDepth_;
   torque_ = 0.0;
   jitter_.reset();
 }

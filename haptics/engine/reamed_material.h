@@ -42,7 +42,7 @@ class ReamedMaterialModel final : public ForceModel {
  private:
   MaterialModel material_;
   JitterNoise jitter_;
-  double surface_;  ///< depth at which the force curve begins [m]
+  double surfaceDepth_;  ///< depth at which the force curve begins [m]
   double mostFeed_;
   double damping_;
   double depth_;

@@ -10,7 +10,7 @@ namespace haptics::engine {
 namespace {
 
 // The sweep that the header describes; speeds in displayed units per second.
-constexpr int kPlaces = 40;
+constexpr int kPositions = 40;
 constexpr double kStrokeSpeeds[]{10.0, 45.0};
 constexpr double kSlowSpeeds[]{0.1, 1.0};
 constexpr double kRestTime = 0.4;          // [s]
@@ -24,7 +24,7 @@ constexpr double kLeastMove = 1e-9;
 class Sweep {
  public:
   Sweep(const SceneSpec& spec, const devices::DeviceKind& kind, double rate)
-      : scene_(spec), rate_(rate), least_(kind.travel.least), unit_(1.0 / kind.shown.factor) {
+      : scene_(spec), rate_(rate), least_(kind.travel.least), shownUnit_(1.0 / kind.shown.factor) {
     const double end = endOfData(spec.model).value_or(kind.travel.most);
     const double most = std::max(kind.travel.most, end);
     const double beyond = 0.05 * (most - least_);  // a hand overshoots the end of the travel
@@ -40,9 +40,9 @@ class Sweep {
       moveTo(least_, speed);
       reverseEveryTenth(speed);
     }
-    visitPlaces(false);
-    visitPlaces(true);
-    return found_;
+    visitPositions(false);
+    visitPositions(true);
+    return result_;
   }
 
  private:
@@ -55,9 +55,9 @@ class Sweep {
     if (response.isDefined && hasForce_) {
       const double step = std::abs(response.force - force_);
       if (std::abs(moved) > kLeastMove * range()) {
-        found_.steepest = std::max(found_.steepest, step / std::abs(moved));
+        result_.steepest = std::max(result_.steepest, step / std::abs(moved));
       } else {
-        found_.largestStepAtRest = std::max(found_.largestStepAtRest, step);
+        result_.largestStepAtRest = std::max(result_.largestStepAtRest, step);
       }
     }
     hasForce_ = response.isDefined;
@@ -68,7 +68,7 @@ class Sweep {
   /// @param speed  [shown unit/s]
   void moveTo(double goal, double speed) noexcept {
     const double from = travel_;
-    const double seconds = std::abs(goal - from) / (speed * unit_);
+    const double seconds = std::abs(goal - from) / (speed * shownUnit_);
     const auto ticks = std::max(1L, std::lround(seconds * rate_));
     for (long i = 1; i <= ticks; ++i) {
       travel_ = from + (goal - from) * static_cast<double>(i) / static_cast<double>(ticks);
@@ -84,16 +84,16 @@ class Sweep {
     moveTo(least_, speed);
   }
 
-  void visitPlaces(bool isOpening) noexcept {
+  void visitPositions(bool isOpening) noexcept {
     constexpr double kApproach = kStrokeSpeeds[0];
     moveTo(isOpening ? most_ : least_, kApproach);
-    for (int i = 0; i < kPlaces; ++i) {
-      const double share = (i + 0.5) / kPlaces;
+    for (int i = 0; i < kPositions; ++i) {
+      const double share = (i + 0.5) / kPositions;
       moveTo(least_ + (isOpening ? 1.0 - share : share) * range(), kApproach);
       rest();
       for (const double speed : kSlowSpeeds) {
         const double place = travel_;
-        const double stretch = (isOpening ? -1.0 : 1.0) * speed * unit_ * kSlowStrokeTime;
+        const double stretch = (isOpening ? -1.0 : 1.0) * speed * shownUnit_ * kSlowStrokeTime;
         moveTo(place + stretch, speed);
         moveTo(place, speed);
       }
@@ -118,23 +118,23 @@ class Sweep {
       if (step != 0.0) lastStep = step;
     }
     const double amplitude = high - low;
-    const double known = found_.limitCycle ? found_.limitCycle->amplitude : kLeastLimitCycle;
+    const double known = result_.limitCycle ? result_.limitCycle->amplitude : kLeastLimitCycle;
     if (!(amplitude > known)) return;
     // A period has two reversals.
     const double frequency = 0.5 * turns * rate_ / static_cast<double>(ticks - settling - 1);
-    if (turns > 1) found_.limitCycle = {amplitude, frequency, travel_};
+    if (turns > 1) result_.limitCycle = {amplitude, frequency, travel_};
   }
 
   CompiledScene scene_;
   double rate_;
   double least_;
   double most_ = 0.0;
-  double unit_;  ///< one displayed unit [travel unit]
+  double shownUnit_;  ///< one displayed unit [travel unit]
   double travel_ = 0.0;
   double lastTravel_ = 0.0;
   double force_ = 0.0;
   bool hasForce_ = false;
-  RenderedSlope found_;
+  RenderedSlope result_;
 };
 
 SceneSpec withoutJitter(SceneSpec spec) {

@@ -12,7 +12,7 @@ namespace haptics::engine {
 struct RenderedSlope {
   enum class Basis {
     Proved,   ///< K follows from the model's equations and holds for every motion
-    Sampled,  ///< K is the largest between closely spaced travels; less than one step may give more
+    Sampled,  ///< K is the largest slope between closely spaced travels; closer ones may give more
     Swept,    ///< K is the largest in the sweep of renderedSlope(); another motion may give more
   };
 

@@ -11,9 +11,9 @@
 namespace haptics::engine {
 namespace {
 
-using Words = std::vector<std::string>;
+using Problems = std::vector<std::string>;
 
-void check(const InterpolationSpec& spec, Words& problems) {
+void check(const InterpolationSpec& spec, Problems& problems) {
   using Model = models::Interpolation<double>;
   if (!Model::isSound(spec.curve.data(), spec.curve.size(), spec.options)) {
     problems.push_back(
@@ -35,7 +35,7 @@ void check(const InterpolationSpec& spec, Words& problems) {
   }
 }
 
-void check(const FiniteElementsSpec& spec, Words& problems) {
+void check(const FiniteElementsSpec& spec, Problems& problems) {
   using Model = models::FiniteElements<double>;
   const auto& each = spec.elementStiffnesses;
   if (!each.empty() && each.size() != static_cast<std::size_t>(spec.parameters.elements)) {
@@ -57,7 +57,7 @@ void check(const FiniteElementsSpec& spec, Words& problems) {
   }
 }
 
-void check(const KalmanSpec& spec, Words& problems) {
+void check(const KalmanSpec& spec, Problems& problems) {
   check(spec.interpolation, problems);
   check(spec.finiteElements, problems);
   if (const char* why = spec.noise.invalidReason()) problems.emplace_back(why);
@@ -67,7 +67,7 @@ void check(const KalmanSpec& spec, Words& problems) {
   }
 }
 
-void check(const MaterialSpec& spec, Words& problems) {
+void check(const MaterialSpec& spec, Problems& problems) {
   if (!(spec.hardness >= 0.0 && spec.hardness <= 1.0)) {
     problems.push_back("the hardness must lie between 0 and 1");
   }
@@ -106,7 +106,7 @@ void check(const MaterialSpec& spec, Words& problems) {
   }
 }
 
-void check(const PackingSpec& spec, Words& problems) {
+void check(const PackingSpec& spec, Problems& problems) {
   if (!(spec.hardness >= 0.0 && spec.hardness <= 1.0)) {
     problems.push_back("the hardness must lie between 0 and 1");
   }
@@ -204,11 +204,11 @@ std::optional<double> endOfData(const ModelSpec& model) {
 
 std::vector<ForceJump> jumpsOf(const ModelSpec& model) {
   using Curve = models::Interpolation<double>;
-  constexpr double kNoticeable = 0.05;  // [N]
+  constexpr double kLeastJump = 0.05;  // [N]
   const auto parts = partsOf(model);
   if (parts.material != nullptr && !parts.material->isRemoved) {
     const auto first = blendedSegments(*parts.material).front();
-    if (std::abs(first.force) <= kNoticeable) return {};
+    if (std::abs(first.force) <= kLeastJump) return {};
     return {{.travel = first.begin, .from = 0.0, .to = first.force}};
   }
   const auto* cut = parts.cut;
@@ -227,18 +227,18 @@ std::vector<ForceJump> jumpsOf(const ModelSpec& model) {
     const double first = nodes->front().travel;
     const double last = nodes->back().travel;
     // Far above the rounding of travel, and far shorter than any ramp.
-    const double beside = 1e-9 * (last - first);
+    const double margin = 1e-9 * (last - first);
     for (const ForceJump jump :
-         {ForceJump{first, forceAt(first - beside), forceAt(first)},
-          ForceJump{last, forceAt(last), forceAt(last + beside)}}) {
-      if (std::abs(jump.to - jump.from) > kNoticeable) jumps.push_back(jump);
+         {ForceJump{first, forceAt(first - margin), forceAt(first)},
+          ForceJump{last, forceAt(last), forceAt(last + margin)}}) {
+      if (std::abs(jump.to - jump.from) > kLeastJump) jumps.push_back(jump);
     }
   }
   return jumps;
 }
 
 std::optional<ModelSpec> withoutNoiseAndRemoval(const ModelSpec& model) {
-  struct Undisturbed {
+  struct Converter {
     using Result = std::optional<ModelSpec>;
     Result operator()(const InterpolationSpec&) const { return std::nullopt; }
     Result operator()(const FiniteElementsSpec&) const { return std::nullopt; }
@@ -253,7 +253,7 @@ std::optional<ModelSpec> withoutNoiseAndRemoval(const ModelSpec& model) {
       return spec;
     }
   };
-  return std::visit(Undisturbed{}, model);
+  return std::visit(Converter{}, model);
 }
 
 double couplingOf(const ModelSpec& model) {
@@ -283,7 +283,7 @@ bool hasTorque(const SceneSpec& spec) {
 }
 
 std::vector<std::string> problemsOf(const SceneSpec& spec) {
-  Words problems;
+  Problems problems;
   std::visit([&](const auto& model) { check(model, problems); }, spec.model);
   if (!spec.reamer.isSound()) {
     problems.push_back(

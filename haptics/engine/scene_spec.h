@@ -37,8 +37,8 @@ struct Reamer {
   static constexpr double kLeastSpeed = 1e-6;  ///< of a reamer that turns [1/s]
 
   /// Revolutions per second, in [−100, 100]. Above 0 the teeth cut; below 0 the reamer turns
-  /// backwards, and the teeth only rub. If not 0, at least kLeastSpeed in size: the damping of a
-  /// slower cut would overflow.
+  /// backwards, and the teeth only rub. Unless 0, the size is at least kLeastSpeed, because with
+  /// slower cutting the damping would overflow.
   double speed = 5.0;
   int teeth = 4;                 ///< teeth that pass each point of the surface per revolution, >= 1
   double feedPerTooth = 0.1e-3;  ///< [m], > 0; may be infinite
@@ -59,10 +59,11 @@ struct Reamer {
 
   /// The cutting damping of this reamer [N·s/m]. The cutting force grows with the thickness of the
   /// chip, so the damping is inversely proportional to the number of teeth that pass per second.
-  /// @param stated  damping of the default reamer, 20 teeth of which pass per second [N·s/m].
-  constexpr double cuttingDampingOf(double stated) const noexcept {
+  /// @param defaultDamping  damping of the default reamer, 20 teeth of which pass per second
+  /// [N·s/m].
+  constexpr double cuttingDampingOf(double defaultDamping) const noexcept {
     constexpr double kDefaultToothRate = 20.0;  // [1/s]
-    return speed > 0.0 ? stated * (kDefaultToothRate / (speed * teeth)) : stated;
+    return speed > 0.0 ? defaultDamping * (kDefaultToothRate / (speed * teeth)) : defaultDamping;
   }
 
   /// The reamer of release 0.1, without a limit of the feed and without torque.

@@ -58,8 +58,8 @@ std::vector<double> KaiserLowPass::filtered(std::span<const double> signal) cons
 
 namespace {
 
-/// The line between two end points, which least-squares lines through the first and the last @p
-/// window samples give, so that the noise of single samples hardly moves them.
+/// The line between two end points. Each end point lies on a least-squares line through the first
+/// or the last @p window samples, so that the noise of single samples hardly moves it.
 class Line {
  public:
   Line(std::span<const double> samples, std::size_t window)

@@ -9,7 +9,7 @@
 namespace haptics::filters {
 namespace {
 
-/// The least number >= @p n that has only the prime factors 2, 3 and 5.
+/// The smallest number >= @p n whose prime factors are all 2, 3 or 5.
 std::size_t smoothLength(std::size_t n) {
   std::size_t best = 1;
   while (best < n) best *= 2;
@@ -23,7 +23,7 @@ std::size_t smoothLength(std::size_t n) {
   return best;
 }
 
-std::vector<double> prepared(std::span<const double> samples, CutoffRule rule) {
+std::vector<double> preparedSamples(std::span<const double> samples, CutoffRule rule) {
   std::vector<double> result(samples.begin(), samples.end());
   if (rule == CutoffRule::Plain || samples.size() < 3) return result;
   const auto last = static_cast<double>(samples.size() - 1);
@@ -41,7 +41,7 @@ std::vector<double> prepared(std::span<const double> samples, CutoffRule rule) {
 }  // namespace
 
 Spectrum spectrumOf(std::span<const double> samples, double rate, CutoffRule rule) {
-  auto signal = prepared(samples, rule);
+  auto signal = preparedSamples(samples, rule);
   const auto count = static_cast<double>(signal.size());
   signal.resize(smoothLength(signal.size()), 0.0);
   Eigen::FFT<double> fft;

@@ -11,19 +11,21 @@ class BenchHandle {
  public:
   /// Advances by @p dt [s] against @p force [N]; returns the travel [travel units].
   float step(float force, float dt) noexcept {
-    constexpr float kMass = 0.004F;        // [N·s²/travel unit]
-    constexpr float kDamping = 0.05F;      // [N·s/travel unit]
-    constexpr float kStop = 80.0F;         // [N/travel unit]
-    constexpr float kGrip = 3.0F;          // [N/travel unit]
-    constexpr float kGripDamping = 0.12F;  // [N·s/travel unit]
-    constexpr float kEnd = 11.0F;          // [travel units]
-    constexpr int kParts = 8;              // sub-steps; 1 ms would be unstable
-    const float part = dt / kParts;
-    for (int i = 0; i < kParts; ++i) {
+    constexpr float kMass = 0.004F;          // [N·s²/travel unit]
+    constexpr float kDamping = 0.05F;        // [N·s/travel unit]
+    constexpr float kStopStiffness = 80.0F;  // [N/travel unit]
+    constexpr float kGripStiffness = 3.0F;   // [N/travel unit]
+    constexpr float kGripDamping = 0.12F;    // [N·s/travel unit]
+    constexpr float kEndStop = 11.0F;        // [travel units]
+    constexpr int kSubsteps = 8;             // sub-steps; 1 ms would be unstable
+    const float part = dt / kSubsteps;
+    for (int i = 0; i < kSubsteps; ++i) {
       time_ += part;
-      const float beyond = travel_ > kEnd ? travel_ - kEnd : travel_ < 0.0F ? travel_ : 0.0F;
-      const float push = kGrip * (target() - travel_) - kGripDamping * velocity_;
-      velocity_ += part * (push - force - kDamping * velocity_ - kStop * beyond) / kMass;
+      const float beyond = travel_ > kEndStop ? travel_ - kEndStop
+                           : travel_ < 0.0F   ? travel_
+                                              : 0.0F;
+      const float push = kGripStiffness * (target() - travel_) - kGripDamping * velocity_;
+      velocity_ += part * (push - force - kDamping * velocity_ - kStopStiffness * beyond) / kMass;
       travel_ += part * velocity_;
     }
     return travel_;

@@ -54,12 +54,12 @@ class OnDeviceScene {
                                                          : force;
     if (!wire::punch::isFinite(bounded)) return 0;
     // [mV], far beyond any motor; larger values could overflow an integer.
-    constexpr float kMost = 1e6F;
+    constexpr float kMostMillivolts = 1e6F;
     const float millivolts = bounded * model_.millivoltsPerNewton;
     return static_cast<int32_t>(
-        millivolts > kMost    ? kMost
-        : millivolts < -kMost ? -kMost
-                              : millivolts);
+        millivolts > kMostMillivolts    ? kMostMillivolts
+        : millivolts < -kMostMillivolts ? -kMostMillivolts
+                                        : millivolts);
   }
 
   /// Travel at @p counts of the encoder [travel units].
@@ -76,7 +76,7 @@ class OnDeviceScene {
       case ModelKind::FiniteElements:
         return elements_.at(travel, elementsState_).force;
       case ModelKind::Kalman:
-        return fused(travel);
+        return fusedForce(travel);
       case ModelKind::None:
         break;
     }
@@ -88,7 +88,7 @@ class OnDeviceScene {
   using Curve = models::Interpolation<float>;
   using Filter = models::KalmanFilter<float>;
 
-  float fused(float travel) noexcept {
+  float fusedForce(float travel) noexcept {
     const float recorded = curve_.at(travel, hint_).force;
     const float elastic = elements_.at(travel, elementsState_).force;
     const float travelled = hasTravel_ ? travel - last_ : 0.0F;

@@ -88,7 +88,8 @@ class PunchProgram {
     badFrames_ = static_cast<uint16_t>(all > 0xFFFF ? 0xFFFF : all);
   }
 
-  /// Reads a frame. Only a valid frame counts as a sign of life of the host, and is echoed.
+  /// Reads a frame. Only a valid frame counts as a sign of life of the host, and only its sequence
+  /// number is echoed.
   template <typename Message>
   bool readValid(const wire::punch::Frame& frame, Message& message) noexcept {
     if (!wire::punch::read(frame, message)) {
@@ -210,17 +211,17 @@ class PunchProgram {
     const int32_t counts = hardware_.counts();
     const int32_t leap = countDifference(lastCounts_, counts);
     if (leap > limits_.maxCountsPerStep || leap < -limits_.maxCountsPerStep) {
-      latch(wire::punch::kEncoderFault, EventCode::EncoderFault, static_cast<uint32_t>(leap));
+      latchFault(wire::punch::kEncoderFault, EventCode::EncoderFault, static_cast<uint32_t>(leap));
     }
     lastCounts_ = counts;
-    velocity_ = perSecond(countDifference(countHistory_[oldest_], counts));
-    countHistory_[oldest_] = counts;
-    oldest_ = (oldest_ + 1) % kWindow;
+    velocity_ = velocityOf(countDifference(countHistory_[oldestIndex_], counts));
+    countHistory_[oldestIndex_] = counts;
+    oldestIndex_ = (oldestIndex_ + 1) % kWindow;
     if (velocity_ > limits_.mostVelocity || velocity_ < -limits_.mostVelocity) {
-      latch(wire::punch::kTooFast, EventCode::TooFast, static_cast<uint32_t>(velocity_));
+      latchFault(wire::punch::kTooFast, EventCode::TooFast, static_cast<uint32_t>(velocity_));
     }
     if (hardware_.hasDriverFault()) {
-      latch(wire::punch::kDriverFault, EventCode::DriverFault, 0);
+      latchFault(wire::punch::kDriverFault, EventCode::DriverFault, 0);
     }
   }
 
@@ -231,13 +232,13 @@ class PunchProgram {
 
   /// Converts a change of counts over the window to a velocity [counts/s], bounded far above
   /// mostVelocity.
-  int32_t perSecond(int32_t counts) const noexcept {
+  int32_t velocityOf(int32_t counts) const noexcept {
     constexpr int32_t kMost = 200'000;  // times 10 kHz still fits into 32 bits
     const int32_t bounded = counts > kMost ? kMost : counts < -kMost ? -kMost : counts;
     return bounded * limits_.rate / kWindow;
   }
 
-  void latch(uint8_t fault, EventCode code, uint32_t value) noexcept {
+  void latchFault(uint8_t fault, EventCode code, uint32_t value) noexcept {
     if ((faults_ & fault) == 0) report(code, value);
     faults_ |= fault;
   }
@@ -331,7 +332,7 @@ class PunchProgram {
   int32_t lastCounts_ = 0;
   int32_t velocity_ = 0;
   int32_t countHistory_[kWindow] = {};
-  int oldest_ = 0;
+  int oldestIndex_ = 0;
 };
 
 }  // namespace haptics::firmware

@@ -29,7 +29,8 @@ inline uint32_t bitsOf(float value) noexcept {
 template <typename Say, typename Start, typename Count>
 class Report {
  public:
-  Report(Say say, Start start, Count count) : say_(say), start_(start), count_(count) {}
+  Report(Say say, Start start, Count count)
+      : reportValue_(say), startCounting_(start), instructionCount_(count) {}
 
   void run() {
     floats<5>("float-5", "instructions-float-5");
@@ -51,13 +52,13 @@ class Report {
     uint32_t most = 0;
     for (int i = 0; i < kSteps; ++i) {
       const float travel = static_cast<float>(travelAt(i)) / 65536.0F;
-      start_();
+      startCounting_();
       const float force = punch.step(travel);
-      const uint32_t spent = count_();
+      const uint32_t spent = instructionCount_();
       if (spent > most) most = spent;
-      say_(name, i, bitsOf(force));
+      reportValue_(name, i, bitsOf(force));
     }
-    say_(cost, 0, most);
+    reportValue_(cost, 0, most);
   }
 
   /// Reports the largest number of instructions of a step.
@@ -67,13 +68,13 @@ class Report {
     uint32_t most = 0;
     for (int i = 0; i < kSteps; ++i) {
       const float travel = static_cast<float>(travelAt(i)) / 65536.0F;
-      start_();
+      startCounting_();
       force_ = punch.step(travel);
       mesh_ = punch.displacements()[0];
-      const uint32_t spent = count_();
+      const uint32_t spent = instructionCount_();
       if (spent > most) most = spent;
     }
-    say_(name, 0, most);
+    reportValue_(name, 0, most);
   }
 
   void fixedPoint() {
@@ -81,20 +82,20 @@ class Report {
     uint32_t most = 0;
     for (int i = 0; i < kSteps; ++i) {
       const auto travel = models::Fixed::fromRaw(travelAt(i));
-      start_();
+      startCounting_();
       const auto force = punch.step(travel);
-      const uint32_t spent = count_();
+      const uint32_t spent = instructionCount_();
       if (spent > most) most = spent;
-      say_("fixed", i, static_cast<uint32_t>(force.raw()));
+      reportValue_("fixed", i, static_cast<uint32_t>(force.raw()));
     }
-    say_("instructions-fixed", 0, most);
+    reportValue_("instructions-fixed", 0, most);
   }
 
   volatile float force_ = 0.0F;  ///< volatile, so that the compiler does not remove the computation
   volatile float mesh_ = 0.0F;
-  Say say_;
-  Start start_;
-  Count count_;
+  Say reportValue_;
+  Start startCounting_;
+  Count instructionCount_;
 };
 
 }  // namespace haptics::firmware

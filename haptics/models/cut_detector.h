@@ -118,7 +118,7 @@ class CutDetector {
     switch (phase_) {
       case Phase::Searching:
         if (!isSettling) return search(sample);
-        start_ = sample;
+        contactCandidate_ = sample;
         return Event::Nothing;
       case Phase::Loading:
         return load(sample);
@@ -161,15 +161,16 @@ class CutDetector {
   }
 
   Event search(const Landmark& sample) noexcept {
-    const bool wentBack = sample.travel < start_.travel - parameters_.retreat;
-    if (!start_.found || wentBack || forceAboveFriction(sample) <= forceAboveFriction(start_)) {
-      start_ = sample;
+    const bool wentBack = sample.travel < contactCandidate_.travel - parameters_.retreat;
+    if (!contactCandidate_.found || wentBack ||
+        forceAboveFriction(sample) <= forceAboveFriction(contactCandidate_)) {
+      contactCandidate_ = sample;
       return Event::Nothing;
     }
-    if (sample.force - start_.force < parameters_.contactForce) return Event::Nothing;
+    if (sample.force - contactCandidate_.force < parameters_.contactForce) return Event::Nothing;
     const bool isLess = cut_.interception.found && sample.force <= highestForce_.force;
     if (isLess) return Event::Nothing;  // than an earlier touch in the same closure
-    cut_.interception = start_;
+    cut_.interception = contactCandidate_;
     highestForce_ = sample;
     phase_ = Phase::Loading;
     return Event::Interception;
@@ -184,11 +185,11 @@ class CutDetector {
     const bool isLoaded = highestForce_.force - cut_.interception.force >= parameters_.yieldLoad;
     if (closesOn && isLoaded && highestForce_.force - sample.force >= yieldDrop()) {
       cut_.yield = highestForce_;
-      lowest_ = Landmark{};
+      lowestForce_ = Landmark{};
       phase_ = Phase::Falling;
       return Event::Yield;
     }
-    if (isLost(sample)) restartSearch(sample);
+    if (isContactLost(sample)) restartSearch(sample);
     return Event::Nothing;
   }
 
@@ -200,9 +201,10 @@ class CutDetector {
     }
     const bool isAtTheEnd = sample.travel >= parameters_.bottomOutAbove &&
                             sample.travel > cut_.largestTravel - parameters_.advance;
-    if (isAtTheEnd && (!lowest_.found || sample.force < lowest_.force)) lowest_ = sample;
-    if (isAtTheEnd && sample.force - lowest_.force >= parameters_.bottomOutRise) {
-      cut_.bottomOut = lowest_;
+    if (isAtTheEnd && (!lowestForce_.found || sample.force < lowestForce_.force))
+      lowestForce_ = sample;
+    if (isAtTheEnd && sample.force - lowestForce_.force >= parameters_.bottomOutRise) {
+      cut_.bottomOut = lowestForce_;
       highestForce_ = sample;
       phase_ = Phase::Bottomed;
       return Event::BottomOut;
@@ -212,7 +214,7 @@ class CutDetector {
       highestForce_ = sample;
       phase_ = Phase::Loading;
     }
-    if (!isClosed_ && isLost(sample)) restartSearch(sample);
+    if (!isClosed_ && isContactLost(sample)) restartSearch(sample);
     return Event::Nothing;
   }
 
@@ -229,7 +231,7 @@ class CutDetector {
   }
 
   Event goBack(const Landmark& sample) noexcept {
-    start_ = sample;
+    contactCandidate_ = sample;
     if (phase_ == Phase::Searching || phase_ == Phase::Opened) return Event::Nothing;
     if (!isClosed_) {
       restartSearch(sample);
@@ -259,7 +261,7 @@ class CutDetector {
   /// larger touch follows.
   void restartSearch(const Landmark& sample) noexcept {
     phase_ = Phase::Searching;
-    start_ = sample;
+    contactCandidate_ = sample;
     if (isClosed_) return;
     cut_ = Cut{};
     cut_.largestTravel = sample.travel;
@@ -274,7 +276,7 @@ class CutDetector {
   }
 
   /// Whether the contact is lost.
-  bool isLost(const Landmark& sample) const noexcept {
+  bool isContactLost(const Landmark& sample) const noexcept {
     const Scalar load = sample.force - cut_.interception.force;
     return load < parameters_.contactForce / Scalar{2};
   }
@@ -299,9 +301,9 @@ class CutDetector {
   Parameters parameters_;
   Phase phase_ = Phase::Searching;
   bool isClosed_ = false;
-  Landmark start_;         ///< candidate of the interception
+  Landmark contactCandidate_;  ///< candidate of the interception
   Landmark highestForce_;  ///< the largest force since the interception, or since the bottom-out
-  Landmark lowest_;        ///< the smallest force since the yield, at the end of the travel
+  Landmark lowestForce_;   ///< the smallest force since the yield, at the end of the travel
   Cut cut_;
   Cut lastCut_;
   std::uint32_t completedCuts_ = 0;

@@ -139,7 +139,7 @@ class FiniteElements {
       const int before = nodesBefore(p_.toolPosition);
       const auto beside = flexibilitiesOnBothSides(p_.toolPosition);
       writeShapeLeftOf(shape, before, shareOf(beside.right, beside.left));
-      writeRight(shape, before + 1, shareOf(beside.left, beside.right));
+      writeShapeRightOf(shape, before + 1, shareOf(beside.left, beside.right));
       return;
     }
     const Scalar s = flexibilityLeftOf(tool_.left);
@@ -149,7 +149,8 @@ class FiniteElements {
     const Scalar wr = tool_.weightRight;
     writeShapeLeftOf(
         shape, tool_.left, wl * shareOf(between + r, s) + wr * shareOf(r, s + between));
-    writeRight(shape, tool_.left + 1, wl * shareOf(s, between + r) + wr * shareOf(s + between, r));
+    writeShapeRightOf(
+        shape, tool_.left + 1, wl * shareOf(s, between + r) + wr * shareOf(s + between, r));
   }
 
   /// Position of node 0 … N + 1 [string units]: the left end, the midpoints, the right end, eq.
@@ -181,8 +182,8 @@ class FiniteElements {
     return a > b ? b / (Scalar{1} + b / a) : a / (Scalar{1} + a / b);
   }
 
-  /// a / (a + b): the fraction of a force at the joint of two springs that the one of flexibility b
-  /// carries.
+  /// a / (a + b): two springs of flexibility a and b meet in a joint, on which a force acts; this
+  /// is the fraction of the force that the spring of flexibility b carries.
   static constexpr Scalar shareOf(Scalar a, Scalar b) noexcept {
     if (a == Scalar{0}) return Scalar{0};
     if (isInfinite(a)) return Scalar{1};
@@ -283,7 +284,7 @@ class FiniteElements {
       shape[node - 1] = slope == Scalar{0} ? Scalar{0} : slope * sum.value();
     }
   }
-  constexpr void writeRight(Scalar* shape, int first, Scalar slope) const noexcept {
+  constexpr void writeShapeRightOf(Scalar* shape, int first, Scalar slope) const noexcept {
     CompensatedSum<Scalar> sum;
     for (int node = p_.elements; node >= first && node >= 1; --node) {
       sum.add(springFlexibilityAfter(node));

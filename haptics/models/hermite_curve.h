@@ -42,8 +42,8 @@ struct alignas(8 * sizeof(Scalar)) CubicSegment {
     return {a.position, b.position, a.force, a.slope, square, isFaithful ? cube : kNone};
   }
 
-  /// Whether @p value equals @p wanted within 0.1 %: more than rounding in single precision, far
-  /// less than an underflow or overflow.
+  /// Whether @p value equals @p wanted within 0.1 %. That tolerance is larger than rounding errors
+  /// in single precision, and far smaller than the error after an underflow or overflow.
   static constexpr bool isNear(Scalar value, Scalar wanted) noexcept {
     const Scalar slack = Scalar(1e-3) * (wanted < Scalar{0} ? -wanted : wanted);
     return value - wanted <= slack && wanted - value <= slack;

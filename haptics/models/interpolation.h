@@ -123,14 +123,14 @@ class Interpolation {
 
   constexpr size_t interval(Scalar travel, size_t hint) const noexcept {
     if (hint + 1 < count_) {
-      if (holds(hint, travel)) return hint;
-      if (hint + 2 < count_ && holds(hint + 1, travel)) return hint + 1;
-      if (hint > 0 && holds(hint - 1, travel)) return hint - 1;
+      if (isInInterval(hint, travel)) return hint;
+      if (hint + 2 < count_ && isInInterval(hint + 1, travel)) return hint + 1;
+      if (hint > 0 && isInInterval(hint - 1, travel)) return hint - 1;
     }
     return index_.find(travel, count_ - 1, [this](size_t k) { return nodes_[k].travel; });
   }
 
-  constexpr bool holds(size_t k, Scalar travel) const noexcept {
+  constexpr bool isInInterval(size_t k, Scalar travel) const noexcept {
     return nodes_[k].travel <= travel && travel <= nodes_[k + 1].travel;
   }
 

@@ -105,7 +105,7 @@ void requireValid(const CutShape& shape) {
   }
 }
 
-ForceCurve drawn(const CutShape& shape) {
+ForceCurve curveOfShape(const CutShape& shape) {
   std::vector<CurvePoint> nodes{landmarksOf(shape).front()};
   for (const Piece& piece : piecesOf(shape)) {
     // The subtraction prevents an additional step by rounding.
@@ -121,20 +121,20 @@ ForceCurve drawn(const CutShape& shape) {
 
 Cut parametricCut(const CutShape& shape) {
   requireValid(shape);
-  SlopeLimited gentle = limitSlope(drawn(shape), shape.maxSlope);
+  SlopeLimited limitedCurve = limitSlope(curveOfShape(shape), shape.maxSlope);
   Provenance provenance{.statement = "parametric; not a recording", .slopeLimit = shape.maxSlope};
-  if (gentle.largestChange > 0.0) {
+  if (limitedCurve.largestChange > 0.0) {
     provenance.changes.push_back(
         "slope limited to " + decimal(shape.maxSlope, 2) + " N per travel unit");
   }
   std::vector<CurvePoint> opening;
-  for (const CurvePoint& node : gentle.curve.nodes()) {
+  for (const CurvePoint& node : limitedCurve.curve.nodes()) {
     opening.push_back({node.travel, shape.openingShare * node.force});
   }
   return {
       .name = "parametric-cut",
       .title = "A cut of our own making, built from landmarks",
-      .curve = std::move(gentle.curve),
+      .curve = std::move(limitedCurve.curve),
       .opening = ForceCurve(std::move(opening)),
       .landmarks =
           {.interception = shape.interception,

@@ -102,9 +102,9 @@ struct CutShape {
 ///     between 0 and 1.
 Cut parametricCut(const CutShape& shape = {});
 
-/// Finds the 76 rows of a published recording that the authors' program renders as its table, by
-/// the recorder's clock: 1,820.425 s to 1,820.659 s. They are rows 5900 to 5975 of the file in the
-/// program's folder HAPTIC_RENDERING/MATLAB, and rows 13,486 to 13,561 of the whole recording.
+/// Finds the 76 rows of a published recording that the authors' program renders as its table. They
+/// are identified by the recorder's clock, 1,820.425 s to 1,820.659 s: rows 5900 to 5975 of the
+/// file in the program's folder HAPTIC_RENDERING/MATLAB, 13,486 to 13,561 of the whole recording.
 ///
 /// @return std::nullopt if @p recording is another one.
 std::optional<RowRange> publishedCutIn(const Recording& recording);

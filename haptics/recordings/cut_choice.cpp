@@ -13,7 +13,7 @@ namespace haptics::recordings {
 
 namespace {
 
-/// Rows from index first to index last, counted from 0.
+/// The rows from index `first` to index `last`, both counted from 0.
 struct Span {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -61,7 +61,7 @@ RowRange openingBranch(
   return {closing.last, static_cast<std::size_t>(least - travel.begin()) + 1};
 }
 
-Closure measured(const Recording& recording, const Trace& trace, const Span& span) {
+Closure closureIn(const Recording& recording, const Trace& trace, const Span& span) {
   constexpr double kSecondsPerMillisecond = 1e-3;
   const std::vector<Recording::Row>& rows = recording.rows;
   Closure closure{.rows = {span.first + 1, span.last + 1}};
@@ -85,7 +85,7 @@ std::vector<Closure> closuresOf(const Recording& recording, const Trace& trace, 
   std::size_t from = 0;
   for (std::size_t i = 0; i < spans.size(); ++i) {
     const Span& span = spans[i];
-    Closure closure = measured(recording, trace, span);
+    Closure closure = closureIn(recording, trace, span);
     closure.closing = closingBranch(trace.travel, span, from);
     const std::size_t next = i + 1 < spans.size() ? spans[i + 1].first : recording.rows.size();
     closure.opening = openingBranch(trace.travel, closure.closing, next);
@@ -102,7 +102,7 @@ std::vector<Closure> closuresOf(const Recording& recording, const Trace& trace, 
 
 namespace {
 
-std::string named(const std::string& source) {
+std::string sourceName(const std::string& source) {
   return "'" + source + "'";
 }
 
@@ -111,7 +111,7 @@ CutChoice chosenRows(const Trace& trace, const RowRange& rows, const std::string
   const std::string asked = std::to_string(rows.first) + " to " + std::to_string(rows.last);
   if (rows.first < 1 || rows.last > count || rows.first >= rows.last) {
     throw base::UserError(
-        "Rows " + asked + " are no part of " + named(source) + ": it has rows 1 to " +
+        "Rows " + asked + " are no part of " + sourceName(source) + ": it has rows 1 to " +
         std::to_string(count) + ", and the first must come before the last.");
   }
   return {{}, {rows}, importMessage("cut_rows_asked_for", rows.first, rows.last)};
@@ -125,15 +125,15 @@ CutChoice chosenClosures(
   for (const std::size_t number : numbers) {
     if (number < 1 || number > closures.size()) {
       throw base::UserError(
-          "There is no closure " + std::to_string(number) + " in " + named(source) + ": it has " +
-          std::to_string(closures.size()) + ", numbered from 1.");
+          "There is no closure " + std::to_string(number) + " in " + sourceName(source) +
+          ": it has " + std::to_string(closures.size()) + ", numbered from 1.");
     }
     choice.rows.push_back(closures[number - 1].closing);
   }
   return choice;
 }
 
-std::vector<std::size_t> candidates(std::span<const Closure> closures) {
+std::vector<std::size_t> candidateNumbers(std::span<const Closure> closures) {
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < closures.size(); ++i) {
     if (closures[i].isComplete && !closures[i].isSaturated()) numbers.push_back(i + 1);
@@ -146,12 +146,12 @@ std::vector<std::size_t> candidates(std::span<const Closure> closures) {
   const auto complete = std::ranges::count_if(closures, isComplete);
   if (complete > 0) {
     throw base::UserError(
-        "Each of the " + std::to_string(complete) + " complete closures of " + named(source) +
+        "Each of the " + std::to_string(complete) + " complete closures of " + sourceName(source) +
         " has rows where the force sensor was saturated, so that its peak is cut off. Take another "
         "recording, or choose a closure by its number, or rows, if that will do.");
   }
   throw base::UserError(
-      "None of the " + std::to_string(closures.size()) + " closures of " + named(source) +
+      "None of the " + std::to_string(closures.size()) + " closures of " + sourceName(source) +
       " is complete (it lies within the recording and lasts at most 4 s): choose one by its "
       "number, "
       "or rows.");
@@ -159,7 +159,7 @@ std::vector<std::size_t> candidates(std::span<const Closure> closures) {
 
 CutChoice typicalClosure(
     const Trace& trace, std::span<const Closure> closures, const std::string& source) {
-  const std::vector<std::size_t> numbers = candidates(closures);
+  const std::vector<std::size_t> numbers = candidateNumbers(closures);
   if (numbers.empty()) refuseAllClosures(closures, source);
   std::vector<ForceCurve> curves;
   curves.reserve(numbers.size());
@@ -169,7 +169,7 @@ CutChoice typicalClosure(
   const std::optional<std::size_t> typical = indexOfMostTypical(curves);
   if (!typical) {
     throw base::UserError(
-        "The closures of " + named(source) +
+        "The closures of " + sourceName(source) +
         " share no travel, so that none is typical: choose one by its number, or rows.");
   }
   CutChoice choice = chosenClosures(closures, {numbers[*typical]}, source);
@@ -200,7 +200,7 @@ CutChoice chooseCut(
   if (options.rows) return chosenRows(trace, *options.rows, source);
   if (closures.empty()) {
     throw base::UserError(
-        "There is no closure in " + named(source) +
+        "There is no closure in " + sourceName(source) +
         ": its travel never rises above 7. Check that the recorder was told both end positions, "
         "or choose rows.");
   }

@@ -24,14 +24,14 @@ std::string describe(std::span<const RowRange> ranges) {
 }
 
 /// The chosen rows as one curve; adds the number of merged samples to the report.
-ForceCurve drawn(const Trace& trace, ImportReport& report) {
+ForceCurve recordedCurve(const Trace& trace, ImportReport& report) {
   std::vector<ForceCurve> curves;
   std::size_t samples = 0;
   for (const RowRange& rows : report.rows) {
-    MonotoneCurve drawn = curveOf(trace, rows);
-    samples += drawn.samples;
-    report.mergedSamples += drawn.merged;
-    curves.push_back(std::move(drawn.curve));
+    MonotoneCurve recordedCurve = curveOf(trace, rows);
+    samples += recordedCurve.samples;
+    report.mergedSamples += recordedCurve.merged;
+    curves.push_back(std::move(recordedCurve.curve));
   }
   if (report.mergedSamples > 0) {
     report.changes.push_back(importMessage("samples_merged", report.mergedSamples, samples));
@@ -99,7 +99,7 @@ double steepnessOf(const ForceCurve& curve) {
   return largest;
 }
 
-ForceCurve limited(const ForceCurve& curve, double maxSlope, ImportReport& report) {
+ForceCurve withLimitedSlope(const ForceCurve& curve, double maxSlope, ImportReport& report) {
   report.slopeBefore = curve.largestSlope();
   report.steepness = steepnessOf(curve);
   SlopeLimited gentle = limitSlope(curve, maxSlope);
@@ -124,8 +124,8 @@ ForceCurve limited(const ForceCurve& curve, double maxSlope, ImportReport& repor
   return std::move(gentle.curve);
 }
 
-/// Reports the change of the peak before all other changes; reports nothing if neither the peak
-/// changed nor a point moved.
+/// Puts the change of the peak at the head of the reported changes. Reports nothing if the peak is
+/// unchanged and no point was moved.
 void reportPeak(ImportReport& report) {
   constexpr double kShown = 0.005;  // [N]: two decimals
   const double change = report.peakAfter - report.peakBefore;
@@ -225,7 +225,7 @@ Provenance provenanceOf(
       .changes = sentencesOf(report.changes)};
 }
 
-void requireSlope(double maxSlope) {
+void requireValidSlopeLimit(double maxSlope) {
   if (std::isfinite(maxSlope) && maxSlope > 0.0) return;
   throw std::invalid_argument("a slope limit is positive and finite");
 }
@@ -237,7 +237,7 @@ bool ImportReport::isAltered() const noexcept {
 }
 
 ImportedCut importCut(const Recording& recording, const ImportOptions& options) {
-  requireSlope(options.maxSlope);
+  requireValidSlopeLimit(options.maxSlope);
   const ForceCalibration calibration =
       options.calibration ? *options.calibration : calibrationFor(recording);
   const Trace trace = traceOf(recording, calibration, options.filter);
@@ -248,8 +248,8 @@ ImportedCut importCut(const Recording& recording, const ImportOptions& options) 
   report.reason = std::move(choice.reason);
 
   report.peakBefore = recordedPeak(trace, report.rows);
-  const ForceCurve recorded = drawn(trace, report);
-  ForceCurve curve = limited(recorded, options.maxSlope, report);
+  const ForceCurve recorded = recordedCurve(trace, report);
+  ForceCurve curve = withLimitedSlope(recorded, options.maxSlope, report);
   reportPeak(report);
   auto opening = openingBranchOf(trace, options.maxSlope, report);
   addSensorWarnings(recording, calibration, report);

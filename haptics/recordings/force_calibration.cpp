@@ -45,7 +45,7 @@ ForceCalibration publishedCalibration() {
       .highest = kLastCalibratedCount};
 }
 
-ForceCalibration recorder2021() {
+ForceCalibration recorder2021Calibration() {
   return {
       .name = "recorder-2021",
       .coefficients = {0.0, 0.7261, -3e-4, 3e-7},
@@ -77,7 +77,7 @@ double newtonsIn(std::string_view unit) noexcept {
 namespace {
 
 /// Index of a column, from 0: by its heading, or @p usual if that is empty.
-std::size_t placeOf(
+std::size_t columnIndexOf(
     const std::string& head,
     std::size_t usual,
     const std::vector<std::string>& heads,
@@ -134,8 +134,8 @@ CalibrationTable readCalibrationTable(
   if (lines.empty()) throw base::UserError("'" + std::string(source) + "' is empty.");
   const char separator = base::separatorOf(lines.front().text);
   const auto heads = base::cellsOf(lines.front().text, separator);
-  const std::size_t reading = placeOf(columns.reading, 0, heads, source);
-  const std::size_t force = placeOf(columns.force, 1, heads, source);
+  const std::size_t reading = columnIndexOf(columns.reading, 0, heads, source);
+  const std::size_t force = columnIndexOf(columns.force, 1, heads, source);
   CalibrationTable table{.source = std::string(source), .readingUnit = columns.readingUnit};
   if (table.readingUnit.empty()) table.readingUnit = unitIn(heads[reading]);
   if (table.readingUnit.empty()) {
@@ -170,10 +170,10 @@ bool risesWithin(const ForceCalibration& calibration) {
   return true;
 }
 
-void requireEnough(const CalibrationTable& table, std::size_t coefficients, bool throughZero) {
+void requireEnough(const CalibrationTable& table, std::size_t coefficients, bool isThroughZero) {
   std::set<double> readings;
   for (const CalibrationPoint& point : table.points) {
-    if (!throughZero || point.reading != 0.0) readings.insert(point.reading);
+    if (!isThroughZero || point.reading != 0.0) readings.insert(point.reading);
   }
   if (readings.size() >= std::max<std::size_t>(coefficients, 2)) return;
   throw base::UserError(
@@ -185,19 +185,19 @@ void requireEnough(const CalibrationTable& table, std::size_t coefficients, bool
 
 }  // namespace
 
-CalibrationFit fitCalibration(const CalibrationTable& table, int order, bool throughZero) {
+CalibrationFit fitCalibration(const CalibrationTable& table, int order, bool isThroughZero) {
   if (order < 1 || order > kMostCalibrationOrder) {
     throw std::invalid_argument("the order of a calibration is 1 to 5");
   }
-  const int first = throughZero ? 1 : 0;
+  const int first = isThroughZero ? 1 : 0;
   const int count = order + 1 - first;
-  requireEnough(table, static_cast<std::size_t>(count), throughZero);
+  requireEnough(table, static_cast<std::size_t>(count), isThroughZero);
 
-  const auto byReading = [](const CalibrationPoint& a, const CalibrationPoint& b) {
+  const auto isLowerReading = [](const CalibrationPoint& a, const CalibrationPoint& b) {
     return a.reading < b.reading;
   };
   const auto [lowest, highest] =
-      std::minmax_element(table.points.begin(), table.points.end(), byReading);
+      std::minmax_element(table.points.begin(), table.points.end(), isLowerReading);
   // Scale readings to ±1, since powers of a thousand counts would span 15 decades.
   const double unit = std::max(std::abs(lowest->reading), std::abs(highest->reading));
   const auto rows = static_cast<Eigen::Index>(table.points.size());
@@ -229,7 +229,7 @@ CalibrationFit fitCalibration(const CalibrationTable& table, int order, bool thr
   }
   fit.rms = std::sqrt(squares / static_cast<double>(rows));
   if (rows > count) fit.standardError = std::sqrt(squares / static_cast<double>(rows - count));
-  fit.rises = risesWithin(fit.calibration);
+  fit.isRising = risesWithin(fit.calibration);
   return fit;
 }
 

@@ -40,7 +40,7 @@ ForceCalibration publishedCalibration();
 /// says otherwise), for comparison; at full scale it gives a sixth less than `paper-eq1`:
 ///
 ///     f = (3·10⁻⁷ r³ − 3·10⁻⁴ r² + 0.7261 r) · 9.81·10⁻³
-ForceCalibration recorder2021();
+ForceCalibration recorder2021Calibration();
 
 /// `newtons`: for readings that are forces [N].
 ForceCalibration newtons();
@@ -87,18 +87,18 @@ struct CalibrationFit {
   /// points.
   double standardError = 0.0;
   double largest = 0.0;  ///< |residual| [N]
-  bool rises = true;     ///< the force increases with the reading over the whole range
+  bool isRising = true;  ///< the force increases with the reading over the whole range
 };
 
 inline constexpr int kMostCalibrationOrder = 5;
 
-/// Fits f = c₀ + c₁ r + …; without c₀ if @p throughZero, as in eq. (1) of the punch paper. Uses QR
-/// factorisation, with readings scaled to ±1.
+/// Fits f = c₀ + c₁ r + …; without c₀ if @p isThroughZero, as in eq. (1) of the punch paper. Uses
+/// QR factorisation, with readings scaled to ±1.
 ///
 /// @param order  1 to kMostCalibrationOrder.
 /// @throws UserError  if there are fewer different readings than coefficients, or than two; for
-///     @p throughZero, readings of 0 do not count.
+///     @p isThroughZero, readings of 0 do not count.
 /// @throws std::invalid_argument  if the order is out of range.
-CalibrationFit fitCalibration(const CalibrationTable& table, int order, bool throughZero);
+CalibrationFit fitCalibration(const CalibrationTable& table, int order, bool isThroughZero);
 
 }  // namespace haptics::recordings

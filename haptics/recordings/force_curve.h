@@ -88,7 +88,8 @@ struct MeanCurve {
   static constexpr std::size_t kNodes = 201;
 };
 
-/// std::nullopt if there are no curves, or no travel that all share.
+/// The mean of @p curves; std::nullopt if there are no curves, or no travel that all of them
+/// contain.
 std::optional<MeanCurve> meanCurve(std::span<const ForceCurve> curves);
 
 /// Index (from 0) of the curve with the smallest root-mean-square difference from the mean over the

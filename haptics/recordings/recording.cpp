@@ -111,7 +111,7 @@ struct Column {
   std::string_view range;
 };
 
-constexpr std::array<Column, kColumns> kRow{{
+constexpr std::array<Column, kColumns> kRowColumns{{
     {"force reading", 0.0, 1023.0, "0 to 1023"},
     {"force in grams", -1e6, 1e6, "-1000000 to 1000000"},
     {"potentiometer", 0.0, 65535.0, "0 to 65535"},
@@ -146,9 +146,10 @@ ReadLine readLine(std::span<const std::string_view> fields) {
     const std::optional<double> value = base::decimalNumber(fields[i]);
     if (!value) return {{}, quoted(fields[i]) + " is no number"};
     if (i >= kColumns) continue;
-    if (*value < kRow[i].lowest || *value > kRow[i].highest) {
-      const std::string name(kRow[i].name);
-      return {{}, name + " " + quoted(fields[i]) + " is outside " + std::string(kRow[i].range)};
+    if (*value < kRowColumns[i].lowest || *value > kRowColumns[i].highest) {
+      const std::string name(kRowColumns[i].name);
+      return {
+          {}, name + " " + quoted(fields[i]) + " is outside " + std::string(kRowColumns[i].range)};
     }
     values[i] = *value;
   }
@@ -191,12 +192,12 @@ class Reader {
     const ReadLine read = readLine(fields);
     if (!read.row) {
       refuse(read.reason, fields.size() == kColumns - 1);
-    } else if (keepsTime(*read.row, isWhole)) {
+    } else if (isInTimeOrder(*read.row, isWhole)) {
       recording_.rows.push_back(*read.row);
     }
   }
 
-  bool keepsTime(const Recording::Row& row, bool isWhole) {
+  bool isInTimeOrder(const Recording::Row& row, bool isWhole) {
     if (recording_.rows.empty() || row.time >= recording_.rows.back().time) return true;
     if (isWhole) {
       throw base::UserError(

@@ -47,7 +47,8 @@ struct Recording {
   std::string source{};                ///< file name, for messages and provenance
   std::string readingUnit = "counts";  ///< `counts`, `V`, `mV`, or `N` if the readings are forces
   std::optional<ForceCalibration> calibration{};  ///< of the recorder's sensor, if known
-  /// The reading at which the sensor saturates: a force there is a lower bound [readingUnit].
+  /// The reading at which the sensor saturates [readingUnit]; the force computed from that reading
+  /// is a lower bound.
   double saturation = std::numeric_limits<double>::infinity();
   std::vector<Row> rows{};                  ///< not empty; all numbers are finite
   std::size_t lines = 0;                    ///< all lines, empty ones too
@@ -97,8 +98,8 @@ Recording readRecordingFile(const std::filesystem::path& path);
 /// Lines end with LF; CR, backslash (residue of an RTF export) and closing braces before it are
 /// removed. A lone CR counts as a space. The rest must be five numbers within the range of their
 /// column, with a decimal point; other lines that are not empty are refused and counted. A
-/// truncated last row is refused, too: one that lacks columns, or has no line end and an earlier
-/// time than the row before.
+/// truncated last row is refused, too: a row that lacks columns, or a row without a line end whose
+/// time is earlier than that of the row before.
 ///
 /// @param source  name of the recording in messages and provenance.
 /// @throws UserError  if the text is empty or binary, if no line is a row (with a hint for files of

@@ -16,12 +16,12 @@ using base::TextLine;
 constexpr double kMillisecondsPerSecond = 1000.0;
 constexpr double kTravelOfAStroke = 10.0;  // [travel units]
 
-std::string named(std::string_view source) {
+std::string sourceName(std::string_view source) {
   return "'" + std::string(source) + "'";
 }
 
 /// Index of a column in a row, from 0.
-std::size_t placeOf(
+std::size_t columnIndexOf(
     const TableColumn& column,
     const char* quantity,
     const std::vector<std::string>& heads,
@@ -31,7 +31,7 @@ std::size_t placeOf(
     if (heads[place] == base::trimmed(column.heading, " \t\r\"")) return place;
   }
   throw base::UserError(
-      named(source) + " has no column '" + column.heading + "' for the " + quantity +
+      sourceName(source) + " has no column '" + column.heading + "' for the " + quantity +
       ". The columns in its head are " + base::listed(heads) + ": correct the columns file.");
 }
 
@@ -68,15 +68,15 @@ class TableReader {
 
   void findColumns(std::span<const TextLine> lines) {
     if (lines.empty())
-      throw base::UserError(named(recording_.source) + " has no rows: record it again.");
+      throw base::UserError(sourceName(recording_.source) + " has no rows: record it again.");
     separator_ = columns_.separator.value_or(base::separatorOf(lines.front().text));
     const bool hasHeads = columns_.travel.number == 0 || columns_.force.number == 0 ||
                           (columns_.time && columns_.time->number == 0);
     const auto heads = base::cellsOf(lines.front().text, separator_);
     firstRow_ = hasHeads ? 1 : 0;
-    if (columns_.time) time_ = placeOf(*columns_.time, "time", heads, recording_.source);
-    travel_ = placeOf(columns_.travel, "travel", heads, recording_.source);
-    force_ = placeOf(columns_.force, "force", heads, recording_.source);
+    if (columns_.time) time_ = columnIndexOf(*columns_.time, "time", heads, recording_.source);
+    travel_ = columnIndexOf(columns_.travel, "travel", heads, recording_.source);
+    force_ = columnIndexOf(columns_.force, "force", heads, recording_.source);
   }
 
   void readLine(const TextLine& line) {
@@ -112,8 +112,8 @@ class TableReader {
   void requireOrder(double time, std::size_t line) const {
     if (recording_.rows.empty() || time >= recording_.rows.back().time) return;
     throw base::UserError(
-        "Time runs backwards in " + named(recording_.source) + " at line " + std::to_string(line) +
-        ": split the file before that line and import the parts.");
+        "Time runs backwards in " + sourceName(recording_.source) + " at line " +
+        std::to_string(line) + ": split the file before that line and import the parts.");
   }
 
   void refuse(std::size_t line, std::string reason) {
@@ -123,7 +123,7 @@ class TableReader {
   }
 
   std::string whyNoRow() const {
-    const std::string start = "No line of " + named(recording_.source) + " is a row";
+    const std::string start = "No line of " + sourceName(recording_.source) + " is a row";
     if (recording_.refusedLines.empty()) return start + ": there is only a head.";
     const Recording::RefusedLine& first = recording_.refusedLines.front();
     return start + "; line " + std::to_string(first.number) + ": " + first.reason +
@@ -143,7 +143,7 @@ class TableReader {
 
 Recording readRecordingTable(
     std::string_view text, std::string_view source, const RecordingColumns& columns) {
-  requireText(text, named(source));
+  requireText(text, sourceName(source));
   std::vector<TextLine> lines = base::linesOf(base::withoutByteOrderMark(text));
   std::erase_if(lines, [&](const TextLine& line) { return line.number <= columns.skippedLines; });
   return TableReader(source, columns, lines).read(lines);

@@ -18,8 +18,8 @@ constexpr std::array kKinds{
     Kind::AuthorsFir, Kind::AuthorsFir333, Kind::ButterworthZeroPhase, Kind::None};
 constexpr int kMostTaps = 9999;
 
-/// Number of taps with which the window at @p rate [Hz] has the duration of the authors' window at
-/// their rate.
+/// The number of taps that gives the window at @p rate [Hz] the same duration as the authors'
+/// window has at their rate.
 int tapsAt(double rate) {
   const KaiserLowPass::Design authors;
   const int half = (authors.taps - 1) / 2;  // taps is odd

@@ -6,14 +6,14 @@
 
 namespace haptics::timing {
 namespace {
-constexpr double kLeast = 1.0 / 16.0;  // [µs]; the first bin holds everything below
+constexpr double kLeastLateness = 1.0 / 16.0;  // [µs]; the first bin holds everything below
 }
 
 int LatenessHistogram::binOf(double lateness) noexcept {
-  if (!(lateness > kLeast)) return 0;
+  if (!(lateness > kLeastLateness)) return 0;
   int exponent = 0;
   // Octave and bin from the binary exponent, which avoids a logarithm in the tick.
-  const double mantissa = std::frexp(lateness / kLeast, &exponent);  // in [0.5, 1)
+  const double mantissa = std::frexp(lateness / kLeastLateness, &exponent);  // in [0.5, 1)
   const int bin =
       (exponent - 1) * kBinsPerOctave + static_cast<int>((mantissa - 0.5) * 2 * kBinsPerOctave);
   return std::min(bin, kBinsPerOctave * kOctaves - 1);
@@ -22,7 +22,7 @@ int LatenessHistogram::binOf(double lateness) noexcept {
 double LatenessHistogram::upperEdgeOf(int bin) noexcept {
   const int octave = bin / kBinsPerOctave;
   const double part = static_cast<double>(bin % kBinsPerOctave + 1) / kBinsPerOctave;
-  return std::ldexp(kLeast * (1.0 + part), octave);
+  return std::ldexp(kLeastLateness * (1.0 + part), octave);
 }
 
 void LatenessHistogram::add(double lateness) noexcept {
@@ -58,8 +58,8 @@ void ClockDrift::add(std::int64_t device, std::int64_t host) noexcept {
     // After a pause, skip the empty windows at once.
     if (time - windowEnd_ > 4 * kWindow) windowEnd_ += (time - windowEnd_) / kWindow * kWindow;
   }
-  // Transport only adds delay, so the least delay of a window is the best estimate of the clocks'
-  // difference; the drift is the slope of a line through the windows.
+  // The transport of a message can only add delay. So the least delay of a window is the best
+  // estimate of the difference of the clocks; the drift is the slope of a line through the windows.
   const std::int64_t delay = host - device - offset_;
   if (delay < leastDelay_) {
     leastDelay_ = delay;

@@ -14,14 +14,14 @@ double nanosecondsSince(Clock::time_point start) {
 }
 
 /// Stores a result, so that the compiler does not remove its computation.
-void keep(double value) {
+void storeResult(double value) {
   [[maybe_unused]] static volatile double sink = 0.0;
   sink = value;
 }
 
 double batch(const Contestant& contestant, int steps) {
   const auto start = Clock::now();
-  keep(contestant.run(steps));
+  storeResult(contestant.run(steps));
   return nanosecondsSince(start);
 }
 
@@ -33,16 +33,16 @@ struct Plan {
 };
 
 Plan planFor(const Contestant& contestant) {
-  constexpr double kLong = 300'000.0;  // [ns]
-  constexpr double kPatience = 0.3e9;  // [ns] for all batches of a contestant
+  constexpr double kLongStep = 300'000.0;  // [ns]
+  constexpr double kTimeLimit = 0.3e9;     // [ns] for all batches of a contestant
   constexpr int kFewest = 21;
   Plan plan;
   double time = batch(contestant, plan.steps);
-  while (time < kLong && plan.steps < 1'000'000) {
+  while (time < kLongStep && plan.steps < 1'000'000) {
     plan.steps *= 2;
     time = batch(contestant, plan.steps);
   }
-  plan.batches = std::clamp(static_cast<int>(kPatience / time), kFewest, plan.batches);
+  plan.batches = std::clamp(static_cast<int>(kTimeLimit / time), kFewest, plan.batches);
   return plan;
 }
 
@@ -88,7 +88,7 @@ std::vector<Timing> compareColdTimes(const std::vector<Contestant>& contestants,
     for (std::size_t i = 0; i < contestants.size(); ++i) {
       std::uint64_t sum = 0;
       for (auto& word : other) sum += word++;
-      keep(static_cast<double>(sum));
+      storeResult(static_cast<double>(sum));
       batch(contestants[i], 0);  // warms the call itself, which is not compared
       times[i].push_back(batch(contestants[i], 1));
     }

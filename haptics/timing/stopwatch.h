@@ -24,9 +24,9 @@ struct Contestant {
 };
 
 /// Times all contestants in turn (A, B, C, A, B, C …), so that other load of the computer affects
-/// all of them equally. A batch takes 300 to 600 µs, and is run once untimed before (warm caches);
-/// or it is one step that takes longer, and is run only once. Each contestant has 101 batches; slow
-/// ones fewer, but at least 21.
+/// all of them equally. A batch has as many steps as take 300 to 600 µs, and is run once untimed
+/// before it is timed (warm caches). If one step takes longer than that, it is the whole batch, and
+/// is run only once. Each contestant has 101 batches; slow contestants fewer, but at least 21.
 std::vector<Timing> compareTimes(const std::vector<Contestant>& contestants);
 
 /// Times single steps with cold caches, as in the tick of a loop: before each, 80 MB of other

@@ -10,9 +10,10 @@
 /// Decodes and encodes FRI messages without heap, exceptions or recursion that a sender controls.
 namespace haptics::wire::fri {
 
-/// Why a datagram is refused. Of several reasons the first of this list is reported, but a list or
-/// name for which there is no room (ElementCount) before JointCount; otherwise, among JointCount,
-/// ElementCount and NotFinite, that of the lowest field number.
+/// Why a datagram is refused. If there are several reasons, the first in this list is reported,
+/// with two exceptions: a list or name for which there is no room (ElementCount) comes before
+/// JointCount; and of all other JointCount, ElementCount and NotFinite that of the lowest field
+/// number is reported.
 enum class Refusal : std::uint8_t {
   None,
   TooLong,         ///< more than kLargestDatagram

@@ -63,13 +63,13 @@ std::uint32_t requiredFieldBitsOf(const Message auto& message) noexcept {
 
 /// Facts about a message that was read, for its validation.
 struct Findings {
-  AddressMap seen;    ///< for each message, its required fields that were present, as bits
-  AddressMap counts;  ///< for joints and vectors, their number of elements
-  bool isOverfull = false;
+  AddressMap presentFields;  ///< for each message, its required fields that were present, as bits
+  AddressMap counts;         ///< for joints and vectors, their number of elements
+  bool hasTooManyElements = false;
 };
 
-/// Checks a message that was read, in ascending order of fields, so that it finds the refusal of
-/// the lowest field first.
+/// Checks a message that was read. It goes through the fields in ascending order, so that the first
+/// refusal it finds is that of the lowest field.
 class Validator {
  public:
   Validator(const Findings& findings, Version version) noexcept
@@ -83,7 +83,8 @@ class Validator {
   template <Message T>
   void validate(const T& message) noexcept {
     const std::uint32_t required = requiredFieldBitsOf(message);
-    if (required != 0 && (required & ~findings_.seen.at(&message)) != 0) isIncomplete_ = true;
+    if (required != 0 && (required & ~findings_.presentFields.at(&message)) != 0)
+      isIncomplete_ = true;
     visit(message, *this);
   }
 
@@ -185,7 +186,7 @@ class FieldReader {
   bool take(Name& name) noexcept {
     if (!is(Delimited)) return false;
     const std::span<const std::uint8_t> bytes = in_.delimited();
-    if (bytes.size() > name.bytes.size()) findings_.isOverfull = true;
+    if (bytes.size() > name.bytes.size()) findings_.hasTooManyElements = true;
     name = Name{};
     name.size = std::min(bytes.size(), name.bytes.size());
     std::copy_n(bytes.begin(), name.size, name.bytes.begin());
@@ -217,7 +218,7 @@ class FieldReader {
     return place != nullptr ? take(*place) : takeSurplus<T>();
   }
 
-  /// Decodes an element that exceeds the capacity of a list, because it may be malformed.
+  /// Decodes an element for which the list has no room, only to find out whether it is malformed.
   template <Message T>
   bool takeSurplus() noexcept {
     T surplus;
@@ -226,7 +227,7 @@ class FieldReader {
     const bool isSound = read(in_.nested(), surplus, findings);
     validator.validate(surplus);
     if (!isSound || validator.isIncomplete()) in_.fail();
-    findings_.isOverfull = true;
+    findings_.hasTooManyElements = true;
     return true;
   }
 
@@ -276,7 +277,7 @@ class FieldReader {
     if (T* const place = list.add()) {
       *place = value;
     } else {
-      findings_.isOverfull = true;
+      findings_.hasTooManyElements = true;
     }
   }
 
@@ -296,15 +297,15 @@ class FieldReader {
 };
 
 bool read(Reader in, Message auto& message, Findings& findings) noexcept {
-  std::uint32_t seen = 0;
+  std::uint32_t presentFields = 0;
   while (in.hasMore()) {
     const Tag tag = in.tag();
     FieldReader field(in, tag, findings);
     visit(message, field);
     if (!field.isTaken()) in.skip(tag);
-    if (field.hasValue()) seen |= 1U << tag.number;
+    if (field.hasValue()) presentFields |= 1U << tag.number;
   }
-  if (requiredFieldBitsOf(message) != 0) findings.seen[&message] |= seen;
+  if (requiredFieldBitsOf(message) != 0) findings.presentFields[&message] |= presentFields;
   return in.isSound();
 }
 
@@ -329,7 +330,7 @@ Refusal readMessage(std::span<const std::uint8_t> bytes, Version version, T& out
   validator.validate(message);
   if (validator.isIncomplete()) return Refusal::Malformed;
   if (message.header.identifier != identifier) return Refusal::WrongIdentifier;
-  if (findings.isOverfull) return Refusal::ElementCount;
+  if (findings.hasTooManyElements) return Refusal::ElementCount;
   if (validator.first() != Refusal::None) return validator.first();
   const Refusal own = validateState(message);
   if (own == Refusal::None) out = message;

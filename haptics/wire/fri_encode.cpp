@@ -34,7 +34,7 @@ class Writer {
 
   void put(std::uint32_t number, Number auto value) noexcept {
     tag(number, Varint);
-    varint(static_cast<std::uint64_t>(value));  // a negative int32 has ten bytes
+    putVarint(static_cast<std::uint64_t>(value));  // a negative int32 has ten bytes
   }
 
   void put(std::uint32_t number, double value) noexcept {
@@ -53,18 +53,18 @@ class Writer {
   void put(std::uint32_t number, const Name& name) noexcept {
     if (name.size > name.bytes.size()) return fail();
     tag(number, Delimited);
-    varint(name.size);
+    putVarint(name.size);
     for (const char c : name.text()) byte(static_cast<std::uint8_t>(c));
   }
 
   void put(std::uint32_t number, const Joints& joints) noexcept {
-    nest(number, [&] {
+    putNested(number, [&] {
       for (const double joint : joints) put(1, joint);
     });
   }
 
   void put(std::uint32_t number, const Vector6& vector) noexcept {
-    nest(number, [&] { putPacked(1, vector); });
+    putNested(number, [&] { putPacked(1, vector); });
   }
 
   void put(std::uint32_t number, const BoundedArray<double, 12>& elements) noexcept {
@@ -80,18 +80,18 @@ class Writer {
 
   template <Message T>
   void put(std::uint32_t number, const T& message) noexcept {
-    nest(number, [&] { visit(message, *this); });
+    putNested(number, [&] { visit(message, *this); });
   }
 
   void putPacked(std::uint32_t number, std::span<const double> values) noexcept {
     tag(number, Delimited);
-    varint(8 * values.size());
+    putVarint(8 * values.size());
     for (const double value : values) putFixed(value);
   }
 
-  /// Writes the content of a nested message after one byte for its length, and moves it if the
-  /// length needs two bytes.
-  void nest(std::uint32_t number, const auto& writeInside) noexcept {
+  /// Writes the content of a nested message after one byte for its length. If the length needs two
+  /// bytes, moves the content by one byte.
+  void putNested(std::uint32_t number, const auto& writeInside) noexcept {
     tag(number, Delimited);
     byte(0);
     const std::size_t begin = size_;
@@ -105,13 +105,13 @@ class Writer {
     }
     const std::size_t end = size_;
     size_ = begin - 1;
-    varint(inside);  // below 2^14, as no datagram has that many bytes
+    putVarint(inside);  // below 2^14, as no datagram has that many bytes
     size_ = end;
   }
 
-  void tag(std::uint32_t number, Wire wire) noexcept { varint(number << 3U | wire); }
+  void tag(std::uint32_t number, Wire wire) noexcept { putVarint(number << 3U | wire); }
 
-  void varint(std::uint64_t value) noexcept {
+  void putVarint(std::uint64_t value) noexcept {
     for (; value >= 0x80; value >>= 7U) byte(static_cast<std::uint8_t>(value | 0x80U));
     byte(static_cast<std::uint8_t>(value));
   }

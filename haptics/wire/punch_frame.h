@@ -72,9 +72,9 @@ class Writer {
   explicit Writer(uint8_t* to) noexcept : to_(to) {}
 
   void u8(uint8_t value) noexcept { to_[size_++] = value; }
-  void u16(uint16_t value) noexcept { whole(value, 2); }
-  void u32(uint32_t value) noexcept { whole(value, 4); }
-  void u64(uint64_t value) noexcept { whole(value, 8); }
+  void u16(uint16_t value) noexcept { integer(value, 2); }
+  void u32(uint32_t value) noexcept { integer(value, 4); }
+  void u64(uint64_t value) noexcept { integer(value, 8); }
   void i16(int16_t value) noexcept { u16(static_cast<uint16_t>(value)); }
   void i32(int32_t value) noexcept { u32(static_cast<uint32_t>(value)); }
   void f32(float value) noexcept {
@@ -85,7 +85,7 @@ class Writer {
   size_t size() const noexcept { return size_; }
 
  private:
-  void whole(uint64_t value, int bytes) noexcept {
+  void integer(uint64_t value, int bytes) noexcept {
     for (int i = 0; i < bytes; ++i)
       u8(static_cast<uint8_t>(value >> (8U * static_cast<unsigned>(i))));
   }
@@ -105,9 +105,9 @@ class Reader {
     hasUnderrun_ = true;
     return 0;
   }
-  uint16_t u16() noexcept { return static_cast<uint16_t>(whole(2)); }
-  uint32_t u32() noexcept { return static_cast<uint32_t>(whole(4)); }
-  uint64_t u64() noexcept { return whole(8); }
+  uint16_t u16() noexcept { return static_cast<uint16_t>(integer(2)); }
+  uint32_t u32() noexcept { return static_cast<uint32_t>(integer(4)); }
+  uint64_t u64() noexcept { return integer(8); }
   int16_t i16() noexcept { return static_cast<int16_t>(u16()); }
   int32_t i32() noexcept { return static_cast<int32_t>(u32()); }
   float f32() noexcept {
@@ -120,7 +120,7 @@ class Reader {
   bool isFullyRead() const noexcept { return !hasUnderrun_ && at_ == count_; }
 
  private:
-  uint64_t whole(int bytes) noexcept {
+  uint64_t integer(int bytes) noexcept {
     uint64_t value = 0;
     for (int i = 0; i < bytes; ++i)
       value |= static_cast<uint64_t>(u8()) << (8U * static_cast<unsigned>(i));

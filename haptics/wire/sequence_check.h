@@ -19,11 +19,11 @@ class SequenceCheck {
   Verdict take(Counter number) noexcept {
     if (!hasAny_) return begin(number);
     const auto ahead = static_cast<Counter>(number - newest_);
-    if (ahead == 0) return doubled();
+    if (ahead == 0) return countDoubled();
     if (ahead <= kLargestGap) {
       lost_ += ahead - 1U;
-      seen_ = ahead < 64 ? seen_ << ahead : 0;
-      seen_ |= 1U;
+      receivedBits_ = ahead < 64 ? receivedBits_ << ahead : 0;
+      receivedBits_ |= 1U;
       newest_ = number;
       return Verdict::Fresh;
     }
@@ -33,8 +33,8 @@ class SequenceCheck {
       return begin(number);
     }
     const std::uint64_t bit = std::uint64_t{1} << behind;
-    if ((seen_ & bit) != 0) return doubled();
-    seen_ |= bit;
+    if ((receivedBits_ & bit) != 0) return countDoubled();
+    receivedBits_ |= bit;
     ++late_;
     if (lost_ > 0) --lost_;  // it was counted as lost
     return Verdict::Late;
@@ -52,17 +52,17 @@ class SequenceCheck {
     const bool isFirst = !hasAny_;
     hasAny_ = true;
     newest_ = number;
-    seen_ = ~std::uint64_t{0};  // numbers before the first do not count as lost
+    receivedBits_ = ~std::uint64_t{0};  // numbers before the first do not count as lost
     return isFirst ? Verdict::Fresh : Verdict::Restart;
   }
-  Verdict doubled() noexcept {
+  Verdict countDoubled() noexcept {
     ++doubled_;
     return Verdict::Doubled;
   }
 
   bool hasAny_ = false;
   Counter newest_ = 0;
-  std::uint64_t seen_ = 0;  ///< bit i: newest − i has been received
+  std::uint64_t receivedBits_ = 0;  ///< bit i: newest − i has been received
   std::uint64_t lost_ = 0;
   std::uint64_t doubled_ = 0;
   std::uint64_t late_ = 0;

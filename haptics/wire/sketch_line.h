@@ -7,8 +7,8 @@
 #include <variant>
 
 /// Parses what the published Arduino sketch of the punch prints: text, one line per loop, without
-/// header, sequence number or checksum. It allows showing recordings of it, and punches that still
-/// run it.
+/// header, sequence number or checksum. With it Palpate can show recordings of that sketch, and
+/// punches that still run it.
 namespace haptics::wire {
 
 /// The line "y0,y1,…,yN-1": displacements of the midpoints of the sketch's string [travel units].

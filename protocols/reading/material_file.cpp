@@ -148,9 +148,9 @@ Json errorsOf(const reaming::FittedEnvelope& envelope, const char* middle) {
     json[name] = {
         {"nodes", curve->spline.nodes.size()},
         {"e_a_published", e.published},
-        {"e_a_at_m", e.publishedAt},
+        {"e_a_at_m", e.publishedPosition},
         {"floored", e.floored},
-        {"floored_at_m", e.flooredAt},
+        {"floored_at_m", e.flooredPosition},
         {"largest", e.largest},
         {"rms", e.rms},
         {"r_squared", e.rSquared}};

@@ -214,7 +214,7 @@ std::string passesAsJson(
   }
   for (const auto& pass : scene.passes()) {
     json["passes"].push_back(
-        {{"name", pass.name}, {"in", pass.isIn}, {"why", pass.why}, {"bytes", pass.bytes}});
+        {{"name", pass.name}, {"in", pass.isInUse}, {"why", pass.why}, {"bytes", pass.bytes}});
   }
   return printed(json);
 }

@@ -170,7 +170,7 @@ void print(
   for (const auto& pass : scene.passes()) {
     fmt::print(
         "  {}  {:<34} {}{}\n",
-        pass.isIn ? "in " : "out",
+        pass.isInUse ? "in " : "out",
         pass.name,
         pass.why,
         pass.bytes > 0 ? fmt::format(" ({} bytes)", pass.bytes) : "");

@@ -21,7 +21,7 @@ namespace {
 
 using haptics::bench::AccuracyRun;
 using haptics::bench::Measurement;
-using haptics::bench::Repeated;
+using haptics::bench::RepeatedMeasurement;
 using report::Chart;
 using report::ChartSeries;
 
@@ -36,7 +36,7 @@ struct Figure {
   bool isLogarithmic = false;  ///< of the axis of errors
 };
 
-using RepeatedMeasurements = std::vector<Repeated>;
+using RepeatedMeasurements = std::vector<RepeatedMeasurement>;
 
 struct Family {
   const char* option;  ///< name on the command line and of its files

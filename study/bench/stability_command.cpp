@@ -84,9 +84,9 @@ DataTable wallTable(const StabilityResult& result) {
          wall.damping,
          wall.quantum,
          std::int64_t{wall.delay},
-         wall.isControlled,
+         wall.hasPassivityController,
          wall.isStable,
-         wall.isPredictedUnstable,
+         wall.isPassivityUnproven,
          wall.isDetectedByObserver,
          std::isfinite(wall.amplitude) ? Cell(wall.amplitude) : Cell()});
   }
@@ -110,17 +110,17 @@ DataTable wallSummary(const StabilityResult& result) {
   using Rendering = std::tuple<double, double, int, bool>;
   std::map<Rendering, std::array<std::int64_t, 4>> counts;
   for (const auto& wall : result.walls) {
-    auto& of = counts[{wall.rate, wall.quantum, wall.delay, wall.isControlled}];
+    auto& of = counts[{wall.rate, wall.quantum, wall.delay, wall.hasPassivityController}];
     ++of[0];
     if (wall.isStable) continue;
     ++of[1];
-    of[2] += wall.isPredictedUnstable ? 1 : 0;
+    of[2] += wall.isPassivityUnproven ? 1 : 0;
     of[3] += wall.isDetectedByObserver ? 1 : 0;
   }
   for (const auto& [rendering, of] : counts) {
-    const auto& [rate, quantum, delay, isControlled] = rendering;
+    const auto& [rate, quantum, delay, hasPassivityController] = rendering;
     table.rows.push_back(
-        {rate, quantum, std::int64_t{delay}, isControlled, of[0], of[1], of[2], of[3]});
+        {rate, quantum, std::int64_t{delay}, hasPassivityController, of[0], of[1], of[2], of[3]});
   }
   return table;
 }
@@ -136,8 +136,8 @@ Chart wallChart(const StabilityResult& result) {
   ChartSeries limit{
       .title = "b = K T / 2 (eq. 25)", .style = ChartSeries::Style::Dashed, .colour = 6};
   for (const auto& wall : result.walls) {
-    const bool isShown =
-        wall.rate == kRate && wall.quantum == 0.0 && wall.delay == 0 && !wall.isControlled;
+    const bool isShown = wall.rate == kRate && wall.quantum == 0.0 && wall.delay == 0 &&
+                         !wall.hasPassivityController;
     if (!isShown) continue;
     (wall.isStable ? stable : vibrates).points.push_back({wall.stiffness, wall.damping});
   }

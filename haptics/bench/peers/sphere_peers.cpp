@@ -17,7 +17,8 @@ using reaming::Vec3;
 
 #ifdef PALPATE_HAS_NANOFLANN
 /// The term a ρ of sphere @p i.
-double partOf(const Packing& packing, const double* densities, std::size_t i, const Reamer& r) {
+double pressingOfSphere(
+    const Packing& packing, const double* densities, std::size_t i, const Reamer& r) {
   const auto& s = packing.spheres[i];
   const Vec3 away = s.centre() - r.centre;
   const double d = length(away);
@@ -55,7 +56,8 @@ class Nanoflann final : public SpherePeer {
     unsorted.sorted = false;
     tree_.radiusSearch(centre, reach * reach, found_, unsorted);
     double sum = 0.0;
-    for (const auto& [i, square] : found_) sum += partOf(packing_, densities_.data(), i, reamer);
+    for (const auto& [i, square] : found_)
+      sum += pressingOfSphere(packing_, densities_.data(), i, reamer);
     return sum;
   }
 

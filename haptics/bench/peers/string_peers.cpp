@@ -12,7 +12,7 @@ namespace {
 /// K and c of eq. (5)–(9); K is tridiagonal.
 struct System {
   Eigen::VectorXd diagonal;
-  Eigen::VectorXd beside;
+  Eigen::VectorXd offDiagonal;
   Eigen::VectorXd tool;
 
   System(const std::vector<double>& k, double toolPosition) {
@@ -24,11 +24,11 @@ struct System {
       return 1.0 / (1.0 / k[i - 1] + 1.0 / k[i]);
     };
     diagonal.resize(n);
-    beside.resize(n);
+    offDiagonal.resize(n);
     tool = Eigen::VectorXd::Zero(n);
     for (Eigen::Index i = 0; i < n; ++i) {
       diagonal[i] = spring(i) + spring(i + 1);
-      beside[i] = -spring(i + 1);
+      offDiagonal[i] = -spring(i + 1);
       const double distance = std::abs(toolPosition - (static_cast<double>(i) + 0.5));
       if (distance < 1.0) tool[i] = 1.0 - distance;
     }
@@ -38,7 +38,8 @@ struct System {
 
   Eigen::MatrixXd dense() const {
     Eigen::MatrixXd matrix = diagonal.asDiagonal();
-    for (Eigen::Index i = 0; i + 1 < size(); ++i) matrix(i, i + 1) = matrix(i + 1, i) = beside[i];
+    for (Eigen::Index i = 0; i + 1 < size(); ++i)
+      matrix(i, i + 1) = matrix(i + 1, i) = offDiagonal[i];
     return matrix;
   }
 
@@ -47,8 +48,8 @@ struct System {
     for (Eigen::Index i = 0; i < size(); ++i) {
       entries.emplace_back(i, i, diagonal[i]);
       if (i + 1 == size()) break;
-      entries.emplace_back(i, i + 1, beside[i]);
-      entries.emplace_back(i + 1, i, beside[i]);
+      entries.emplace_back(i, i + 1, offDiagonal[i]);
+      entries.emplace_back(i + 1, i, offDiagonal[i]);
     }
     Eigen::SparseMatrix<double> matrix(size(), size());
     matrix.setFromTriplets(entries.begin(), entries.end());
@@ -78,13 +79,13 @@ struct Thomas {
     solution = tool;
     reduced[0] = system.diagonal[0];
     for (Eigen::Index i = 1; i < n; ++i) {
-      const double factor = system.beside[i - 1] / reduced[i - 1];
-      reduced[i] = system.diagonal[i] - factor * system.beside[i - 1];
+      const double factor = system.offDiagonal[i - 1] / reduced[i - 1];
+      reduced[i] = system.diagonal[i] - factor * system.offDiagonal[i - 1];
       solution[i] -= factor * solution[i - 1];
     }
     solution[n - 1] /= reduced[n - 1];
     for (Eigen::Index i = n - 1; i-- > 0;) {
-      solution[i] = (solution[i] - system.beside[i] * solution[i + 1]) / reduced[i];
+      solution[i] = (solution[i] - system.offDiagonal[i] * solution[i + 1]) / reduced[i];
     }
   }
 };

@@ -13,19 +13,19 @@ namespace {
 
 using namespace haptics::wire::fri;
 
-constexpr std::array kStates{
+constexpr std::array kStateNames{
     "IDLE", "MONITORING_WAIT", "MONITORING_READY", "COMMANDING_WAIT", "COMMANDING_ACTIVE"};
 constexpr std::int64_t kLastingSilence = timing::kSecond;
-constexpr std::array kQualities{"POOR", "FAIR", "GOOD", "EXCELLENT"};
+constexpr std::array kQualityNames{"POOR", "FAIR", "GOOD", "EXCELLENT"};
 
-std::string numbers(const char* format, double a, double b = 0.0, double c = 0.0) {
+std::string formatNumbers(const char* format, double a, double b = 0.0, double c = 0.0) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), format, a, b, c);
   return text.data();
 }
 
-CheckResult sessionFound(const MonitoringMessage& heard) {
-  const auto connection = heard.connection.value_or(ConnectionInfo{});
+CheckResult sessionFinding(const MonitoringMessage& message) {
+  const auto connection = message.connection.value_or(ConnectionInfo{});
   const auto state = static_cast<std::size_t>(connection.state);
   const auto quality = static_cast<std::size_t>(connection.quality);
   const bool isGood = connection.quality >= ConnectionQuality::Good;
@@ -35,7 +35,7 @@ CheckResult sessionFound(const MonitoringMessage& heard) {
       : isReady ? Finding::Pass
                 : Finding::Warn,
       "session",
-      std::string(kStates.at(state)) + ", connection " + kQualities.at(quality),
+      std::string(kStateNames.at(state)) + ", connection " + kQualityNames.at(quality),
       isGood && isReady ? ""
       : isGood
           ? "Start the robot's application."
@@ -63,8 +63,8 @@ CheckResult commandModeMismatch(ClientCommandMode mode, ClientCommandMode wanted
                 : "C" + choose};
 }
 
-CheckResult commandingFound(
-    const MonitoringMessage& heard,
+CheckResult commandingFinding(
+    const MonitoringMessage& message,
     IiwaOverlay overlay,
     std::optional<ClientCommandMode> mode,
     bool hasWaited) {
@@ -72,7 +72,7 @@ CheckResult commandingFound(
       overlay == IiwaOverlay::JointTorque ? ClientCommandMode::Torque : ClientCommandMode::Wrench;
   if (mode && *mode != wanted) return commandModeMismatch(*mode, wanted);
   const bool isActive =
-      heard.connection && heard.connection->state == SessionState::CommandingActive;
+      message.connection && message.connection->state == SessionState::CommandingActive;
   if (isActive && mode) return {Finding::Pass, "force overlay", "active", ""};
   if (isActive) {
     return {
@@ -93,12 +93,12 @@ CheckResult commandingFound(
 
 /// Reports the longest time [ns] without a message. A trial ends after @p limit [ns]; a short
 /// excess may come from a busy computer and is only a warning.
-CheckResult silenceFound(std::int64_t longest, bool isLasting, std::int64_t limit) {
+CheckResult silenceFinding(std::int64_t longest, bool isLasting, std::int64_t limit) {
   constexpr std::int64_t kLongestExcusedSilence = timing::kSecond / 2;
   const double seconds = 1e-9 * static_cast<double>(longest);
   const std::string measured =
-      longest <= limit ? numbers("%.0f ms", 1e3 * seconds)
-                       : numbers(
+      longest <= limit ? formatNumbers("%.0f ms", 1e3 * seconds)
+                       : formatNumbers(
                              isLasting ? "nothing has come from the arm for %.1f s (a trial ends "
                                          "at %.0f ms)"
                                        : "%.3f s (a trial ends at %.0f ms)",
@@ -116,8 +116,8 @@ CheckResult silenceFound(std::int64_t longest, bool isLasting, std::int64_t limi
                          "SmartPad for what stopped it."};
 }
 
-CheckResult safetyFound(const MonitoringMessage& heard) {
-  const auto info = heard.robotInfo.value_or(RobotInfo{});
+CheckResult safetyFinding(const MonitoringMessage& message) {
+  const auto info = message.robotInfo.value_or(RobotInfo{});
   const bool isNormal =
       info.safetyState.value_or(SafetyState::NormalOperation) == SafetyState::NormalOperation;
   return {
@@ -127,18 +127,18 @@ CheckResult safetyFound(const MonitoringMessage& heard) {
       isNormal ? "" : "Resolve the stop at the robot, then check again."};
 }
 
-CheckResult cyclesFound(const LinkReport& link, double seconds, double rate) {
+CheckResult cycleFinding(const LinkReport& link, double seconds, double rate) {
   const double seen = static_cast<double>(link.received) / seconds;
   const bool isNear = std::abs(seen / rate - 1.0) < 0.05;
   return {
       isNear ? Finding::Pass : Finding::Warn,
       "cycle",
-      numbers("%.0f messages/s of %.0f", seen, rate),
+      formatNumbers("%.0f messages/s of %.0f", seen, rate),
       isNear ? ""
              : "End other programs on this computer; choose a longer send period on the robot."};
 }
 
-CheckResult anomaliesFound(const LinkReport& link) {
+CheckResult anomalyFinding(const LinkReport& link) {
   const auto bad = link.lost + link.doubled + link.late + link.damaged + link.foreign;
   return {
       bad == 0 ? Finding::Pass : Finding::Warn,
@@ -150,11 +150,12 @@ CheckResult anomaliesFound(const LinkReport& link) {
                : "Use a direct cable; no other computer on this network may send to this port."};
 }
 
-CheckResult torqueFound(const Capabilities& can) {
+CheckResult torqueFinding(const Capabilities& capabilities) {
   return {
       Finding::Pass,
       "torque at most",
-      can.rendersTorque() ? numbers("%.3g N·m", can.maxTorque) : "not rendered: torque",
+      capabilities.rendersTorque() ? formatNumbers("%.3g N·m", capabilities.maxTorque)
+                                   : "not rendered: torque",
       ""};
 }
 
@@ -210,17 +211,17 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
   const ListenResult listened = listen(seconds);
   const bool isSilent = timing::now() - hostTime_ >= kLastingSilence;
   const LinkReport report = link();
-  found.push_back(sessionFound(lastMessage_));
+  found.push_back(sessionFinding(lastMessage_));
   found.push_back(
-      commandingFound(lastMessage_, settings_.overlay, listened.mode, listened.hasWaited));
-  found.push_back(safetyFound(lastMessage_));
-  found.push_back(silenceFound(listened.longestGap, isSilent, longestSilence()));
-  found.push_back(cyclesFound(report, listened.seconds, 1e9 / static_cast<double>(period_)));
-  found.push_back(anomaliesFound(report));
+      commandingFinding(lastMessage_, settings_.overlay, listened.mode, listened.hasWaited));
+  found.push_back(safetyFinding(lastMessage_));
+  found.push_back(silenceFinding(listened.longestGap, isSilent, longestSilence()));
+  found.push_back(cycleFinding(report, listened.seconds, 1e9 / static_cast<double>(period_)));
+  found.push_back(anomalyFinding(report));
   found.push_back(
       {Finding::Pass,
        "answer seen by the robot after",
-       numbers(
+       formatNumbers(
            "median %.0f µs, p99 %.0f µs",
            report.roundTrip.quantile(0.5),
            report.roundTrip.quantile(0.99)),
@@ -234,17 +235,19 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
   found.push_back(
       {Finding::Pass,
        "tool",
-       numbers("at %.4f, %.4f, %.4f m", tool_.position.x(), tool_.position.y(), tool_.position.z()),
+       formatNumbers(
+           "at %.4f, %.4f, %.4f m", tool_.position.x(), tool_.position.y(), tool_.position.z()),
        ""});
   if (report.drift) {
     found.push_back(
         {std::abs(*report.drift) < 500.0 ? Finding::Pass : Finding::Warn,
          "clock against ours",
-         numbers("%+.1f ppm", *report.drift),
+         formatNumbers("%+.1f ppm", *report.drift),
          ""});
   }
-  found.push_back({Finding::Pass, "force at most", numbers("%.0f N", capabilities_.maxForce), ""});
-  found.push_back(torqueFound(capabilities_));
+  found.push_back(
+      {Finding::Pass, "force at most", formatNumbers("%.0f N", capabilities_.maxForce), ""});
+  found.push_back(torqueFinding(capabilities_));
   setCheckedUnlessFailed(found);
   startKeepAlive();  // from here on that thread updates what was received
   return found;

@@ -106,7 +106,7 @@ void IiwaDevice::open() {
     socket_.reset();
     throw;
   }
-  enterOpen();
+  finishOpening();
 }
 
 void IiwaDevice::awaitMessages() {
@@ -182,8 +182,9 @@ bool IiwaDevice::waitForMessage(std::int64_t deadline) noexcept {
   while (socket_) {
     const std::int64_t left = deadline - timing::now();
     auto received = socket_->receive(receiveBuffer_, std::max<std::int64_t>(left, 0));
-    // Most datagrams until the time is looked at, so that a flood cannot block the loop: half of
-    // what a socket holds, and more than a robot sends until it is given up.
+    // The largest number of datagrams that are read before the time is checked again, so that a
+    // flood cannot block the loop: half of what a socket holds, and more than a robot sends before
+    // it counts as silent.
     constexpr int kBacklog = 128;
     for (int i = 1; received; ++i) {
       const bool hadNew = isNew_;
@@ -384,14 +385,14 @@ void IiwaDevice::answer(double force, double torque) noexcept {
 /// them.
 void IiwaDevice::writeOverlay(CommandData& data, double force, double torque) noexcept {
   bool isClipped = false;
-  const auto within = [&](double asked, double most) {
-    const double given = std::isfinite(asked) ? std::clamp(asked, -most, most) : 0.0;
-    isClipped = isClipped || given != asked;
+  const auto limitedTo = [&](double requested, double most) {
+    const double given = std::isfinite(requested) ? std::clamp(requested, -most, most) : 0.0;
+    isClipped = isClipped || given != requested;
     return given;
   };
   Wrench wrench;
-  wrench.head<3>() = -within(force, capabilities_.maxForce) * settings_.axis;
-  wrench.tail<3>() = within(torque, capabilities_.maxTorque) * settings_.axis;
+  wrench.head<3>() = -limitedTo(force, capabilities_.maxForce) * settings_.axis;
+  wrench.tail<3>() = limitedTo(torque, capabilities_.maxTorque) * settings_.axis;
   const JointVector joints = jacobian_.transpose() * wrench;
   const double share = guard_.allowedFactor(joints);
   if (share < 1.0 || isClipped) ++report_.clipped;

@@ -7,7 +7,7 @@
 namespace haptics::devices {
 namespace {
 
-constexpr std::array kNearEnd{
+constexpr std::array kNearEndReasons{
     "joint A1 is near its end",
     "joint A2 is near its end",
     "joint A3 is near its end",
@@ -15,7 +15,7 @@ constexpr std::array kNearEnd{
     "joint A5 is near its end",
     "joint A6 is near its end",
     "joint A7 is near its end"};
-constexpr std::array kTooFast{
+constexpr std::array kTooFastReasons{
     "joint A1 is too fast",
     "joint A2 is too fast",
     "joint A3 is too fast",
@@ -23,7 +23,7 @@ constexpr std::array kTooFast{
     "joint A5 is too fast",
     "joint A6 is too fast",
     "joint A7 is too fast"};
-constexpr std::array kOverloaded{
+constexpr std::array kOverloadReasons{
     "joint A1 is overloaded",
     "joint A2 is overloaded",
     "joint A3 is overloaded",
@@ -41,11 +41,11 @@ const char* IiwaGuard::reasonNotToCommand(
   for (std::size_t i = 0; i < 7; ++i) {
     const auto j = static_cast<Eigen::Index>(i);
     if (!(std::abs(joints[j]) <= properties_.maxPosition[i] - margins_.position))
-      return kNearEnd[i];
+      return kNearEndReasons[i];
     if (!(std::abs(velocity[j]) <= properties_.maxVelocity[i] * margins_.velocity)) {
-      return kTooFast[i];
+      return kTooFastReasons[i];
     }
-    if (!(std::abs(torque[j]) <= properties_.maxTorque[i])) return kOverloaded[i];
+    if (!(std::abs(torque[j]) <= properties_.maxTorque[i])) return kOverloadReasons[i];
   }
   return nullptr;
 }

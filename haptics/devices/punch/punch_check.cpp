@@ -11,19 +11,19 @@
 namespace haptics::devices {
 namespace {
 
-std::string text(const char* format, double a, double b = 0.0, double c = 0.0) {
+std::string formatNumbers(const char* format, double a, double b = 0.0, double c = 0.0) {
   char buffer[96];
   std::snprintf(buffer, sizeof buffer, format, a, b, c);
   return buffer;
 }
 
-CheckResult rateFound(const LinkReport& link, double seconds, double nominal) {
+CheckResult rateFinding(const LinkReport& link, double seconds, double nominal) {
   const double rate = static_cast<double>(link.received) / seconds;
   const bool isNear = std::abs(rate / nominal - 1.0) < 0.05;
   return {
       isNear ? Finding::Pass : Finding::Warn,
       "telemetry",
-      text("%.0f samples/s of %.0f", rate, nominal),
+      formatNumbers("%.0f samples/s of %.0f", rate, nominal),
       isNear ? "" : "Use the board's native USB port, and end other programs on this computer."};
 }
 
@@ -40,19 +40,19 @@ CheckResult frameLossFinding(const LinkReport& link) {
       bad == 0 ? "" : "Change the cable, and plug it into the computer itself, not into a hub."};
 }
 
-CheckResult roundTripFound(const LinkReport& link) {
+CheckResult roundTripFinding(const LinkReport& link) {
   const double p99 = link.roundTrip.quantile(0.99);
   const bool isShort = p99 < 3000.0;
   return {
       isShort ? Finding::Pass : Finding::Warn,
       "round trip",
-      text("median %.0f µs, p99 %.0f µs", link.roundTrip.quantile(0.5), p99),
+      formatNumbers("median %.0f µs, p99 %.0f µs", link.roundTrip.quantile(0.5), p99),
       isShort
           ? ""
           : "Give this program real-time priority (docs/devices.md); stiff scenes may vibrate."};
 }
 
-CheckResult leapsFound(std::uint64_t leaps) {
+CheckResult leapFinding(std::uint64_t leaps) {
   return {
       leaps == 0 ? Finding::Pass : Finding::Warn,
       "leaps of the position",
@@ -92,7 +92,7 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
          "firmware",
          "protocol " + std::to_string(hello_.protocolVersion) + ", board " +
              std::to_string(hello_.serial) + ", up to " +
-             text("%.1f V, %.0f Hz", 1e-3 * hello_.largestVoltage, hello_.rate),
+             formatNumbers("%.1f V, %.0f Hz", 1e-3 * hello_.largestVoltage, hello_.rate),
          ""});
     arm();
   } catch (const DeviceError& error) {
@@ -126,16 +126,16 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
          "Switch the " + kind + " off and on, then check it again."});
     return found;
   }
-  found.push_back(rateFound(report, seconds, capabilities_.rate));
+  found.push_back(rateFinding(report, seconds, capabilities_.rate));
   found.push_back(frameLossFinding(report));
-  found.push_back(roundTripFound(report));
-  found.push_back(leapsFound(report.leaps));
+  found.push_back(roundTripFinding(report));
+  found.push_back(leapFinding(report.leaps));
   const auto& plausibleTravel = settings_.kind->serial.plausibleTravel;
   const bool isWithin = least >= plausibleTravel.least && most <= plausibleTravel.most;
   found.push_back(
       {isWithin ? Finding::Pass : Finding::Warn,
        "travel",
-       text("%.3f to %.3f ", least, most) + unit,
+       formatNumbers("%.3f to %.3f ", least, most) + unit,
        isWithin
            ? ""
            : "Open the " + kind + " altogether, and correct travel_at_zero in the device file."});
@@ -151,14 +151,14 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
     found.push_back(
         {isSteady ? Finding::Pass : Finding::Warn,
          "clock against ours",
-         text("%+.1f ppm", *report.drift),
+         formatNumbers("%+.1f ppm", *report.drift),
          isSteady ? ""
                   : "The board's crystal may be broken; times of the device are not to be used."});
   }
   found.push_back(
       {Finding::Pass,
        "force at most",
-       text("%.2f N (%.3f N/V)", capabilities_.maxForce, settings_.newtonsPerVolt),
+       formatNumbers("%.2f N (%.3f N/V)", capabilities_.maxForce, settings_.newtonsPerVolt),
        ""});
   setCheckedUnlessFailed(found);
   return found;

@@ -69,7 +69,7 @@ void PunchDevice::open() {
   resetCounts();
   sequence_ = {};
   damagedBefore_ = decoder_.damaged();
-  enterOpen();
+  finishOpening();
 }
 
 void PunchDevice::exchangeHello() {
@@ -86,10 +86,10 @@ void PunchDevice::exchangeHello() {
     }
   }
   // Every Hello disarms the board, so wait for the replies to those still in transit.
-  const std::int64_t patience = timing::now() + 300 * kMillisecond;
-  while (hasHello_ && helloCount_ < asked && port_.isOpen() && timing::now() < patience) {
+  const std::int64_t replyDeadline = timing::now() + 300 * kMillisecond;
+  while (hasHello_ && helloCount_ < asked && port_.isOpen() && timing::now() < replyDeadline) {
     isNew_ = false;
-    port_.waitReadable(patience);
+    port_.waitReadable(replyDeadline);
     drain();
   }
   if (hasHello_) return;
@@ -226,9 +226,9 @@ void PunchDevice::handleState(const Frame& frame, std::int64_t at) noexcept {
   ++report_.received;
 }
 
-/// Counts a change of travel within @p seconds that no hand can make. Messages are at least a
-/// period apart; times that are closer are imprecise. A travel may be wrong by half a count, so
-/// that a hand that hardly moves changes it by a whole one.
+/// Counts a change of travel within @p seconds that is too fast for any hand. Messages are at least
+/// a period apart; shorter times are imprecise. A travel may be wrong by half a count, so a slight
+/// movement of the hand can change it by a whole count.
 void PunchDevice::countLeap(double before, double seconds) noexcept {
   const double apart = std::max(seconds, 1.0 / capabilities_.rate);
   const double count = std::abs(settings_.travelPerCount);
@@ -236,8 +236,8 @@ void PunchDevice::countLeap(double before, double seconds) noexcept {
   if (std::abs(travel() - before) > largest) ++report_.leaps;
 }
 
-/// The fault bits that end a trial. Shortly after arming none do: the Arm message may not have
-/// cleared old bits yet.
+/// The fault bits that end a trial. Shortly after arming no bit does, because the device may not
+/// have processed the Arm message yet, which clears old bits.
 std::uint8_t PunchDevice::relevantFaults() const noexcept {
   const bool isSettled = hostTime_ - armedAt_ > kSilenceTimeout;
   return static_cast<std::uint8_t>(state_.faults & (isSettled ? (kLatchedFaults | kNotArmed) : 0));

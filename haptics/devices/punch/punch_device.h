@@ -71,7 +71,7 @@ class PunchDevice final : public WireDevice {
   void handleState(const wire::punch::Frame& frame, std::int64_t at) noexcept;
   void exchangeHello();
   void requireExpectedBoard() const;
-  wire::punch::ModelReply answerTo(std::int64_t deadline);
+  wire::punch::ModelReply awaitModelReply(std::int64_t deadline);
   template <typename Message>
   void send(const Message& message) noexcept {
     std::array<std::uint8_t, wire::punch::kLargestOnWire> bytes{};

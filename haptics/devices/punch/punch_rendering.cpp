@@ -66,32 +66,32 @@ void fillIn(Model& model, const engine::KalmanSpec& spec) {
 struct ChipMessages {
   Model model;
   std::vector<ModelTable> tables;
-  const char* obstacle = nullptr;
+  const char* unsupported = nullptr;
 
   void operator()(const engine::InterpolationSpec& spec) {
-    obstacle = unsupportedFeature(spec);
-    if (obstacle != nullptr) return;
+    unsupported = unsupportedFeature(spec);
+    if (unsupported != nullptr) return;
     model.kind = ModelKind::Interpolation;
     fillIn(model, spec);
     addTables(spec);
   }
   void operator()(const engine::FiniteElementsSpec& spec) {
-    obstacle = unsupportedFeature(spec);
+    unsupported = unsupportedFeature(spec);
     model.kind = ModelKind::FiniteElements;
     fillIn(model, spec);
   }
   void operator()(const engine::KalmanSpec& spec) {
-    obstacle = unsupportedFeature(spec.interpolation);
-    if (obstacle == nullptr) obstacle = unsupportedFeature(spec.finiteElements);
-    if (spec.isProcessAsPrinted) obstacle = "Q as it is printed";
-    if (spec.smoothing != models::Smoothing::None) obstacle = "smoothing";
-    if (obstacle != nullptr) return;
+    unsupported = unsupportedFeature(spec.interpolation);
+    if (unsupported == nullptr) unsupported = unsupportedFeature(spec.finiteElements);
+    if (spec.isProcessAsPrinted) unsupported = "Q as it is printed";
+    if (spec.smoothing != models::Smoothing::None) unsupported = "smoothing";
+    if (unsupported != nullptr) return;
     model.kind = ModelKind::Kalman;
     fillIn(model, spec);
     addTables(spec.interpolation);
   }
-  void operator()(const engine::MaterialSpec&) { obstacle = "bone"; }
-  void operator()(const engine::PackingSpec&) { obstacle = "bone"; }
+  void operator()(const engine::MaterialSpec&) { unsupported = "bone"; }
+  void operator()(const engine::PackingSpec&) { unsupported = "bone"; }
 
   void addTables(const engine::InterpolationSpec& spec) {
     for (std::size_t first = 0; first < spec.curve.size(); first += kTableChunk) {
@@ -116,7 +116,7 @@ std::uint32_t hashOf(const Message& message, std::uint32_t before) {
 
 }  // namespace
 
-ModelReply PunchDevice::answerTo(std::int64_t deadline) {
+ModelReply PunchDevice::awaitModelReply(std::int64_t deadline) {
   while (!lastModelReply_ && port_.isOpen() && timing::now() < deadline) {
     isNew_ = false;
     waitForMessage(deadline);
@@ -129,9 +129,9 @@ ModelReply PunchDevice::answerTo(std::int64_t deadline) {
 void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestForce) {
   ChipMessages messages;
   std::visit(messages, scene.model);
-  if (messages.obstacle != nullptr) {
+  if (messages.unsupported != nullptr) {
     throw DeviceError(
-        name() + " cannot render this scene by itself: it has " + messages.obstacle +
+        name() + " cannot render this scene by itself: it has " + messages.unsupported +
         ". Let the host render it (\"renders\": \"host\" in the device file).");
   }
   auto& model = messages.model;
@@ -148,7 +148,7 @@ void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestF
   const auto ask = [&](const auto& message) {
     lastModelReply_.reset();
     send(message);
-    return answerTo(timing::now() + 500 * timing::kMillisecond);
+    return awaitModelReply(timing::now() + 500 * timing::kMillisecond);
   };
   std::uint32_t hash = hashOf(model, 0);
   ModelReply answer;

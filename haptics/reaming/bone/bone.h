@@ -62,13 +62,13 @@ class Bone {
   const SphereField& field() const noexcept { return field_; }
   double coverage() const noexcept { return options_.coverage; }
 
-  double removedMass() const noexcept { return removed_; }  ///< [N·m]
-  double remainingMass() const noexcept;                    ///< sums over all spheres: slow [N·m]
+  double removedMass() const noexcept { return removedMass_; }  ///< [N·m]
+  double remainingMass() const noexcept;  ///< sums over all spheres: slow [N·m]
 
   /// Slots that the last step emptied, shrank, moved or filled, for drawing.
   std::span<const std::uint32_t> changed() const noexcept { return changed_; }
   /// Number of changes that did not fit into the list.
-  std::uint64_t droppedChanges() const noexcept { return dropped_; }
+  std::uint64_t droppedChanges() const noexcept { return droppedChanges_; }
   /// Whether the device is known to have been outside all spheres since construction or reset().
   /// Until then every step checks some of the spheres.
   bool isOutside() const noexcept { return isOutside_; }
@@ -94,22 +94,22 @@ class Bone {
   bool isSpinning_;
   SphereField field_;
   SphereField intactField_;
-  std::vector<Vec3> toolAtLastCut_;     ///< position of the tool when it last cut the slot
-  std::vector<std::uint32_t> partial_;  ///< slots that are partly cut
+  std::vector<Vec3> toolAtLastCut_;          ///< position of the tool when it last cut the slot
+  std::vector<std::uint32_t> partialSlots_;  ///< slots that are partly cut
   std::vector<char> isPartial_;
   std::vector<std::uint32_t> slotsToCut_;  ///< buffer for the slots that a step cuts
   std::vector<std::uint32_t> changed_;
-  std::uint64_t dropped_ = 0;
+  std::uint64_t droppedChanges_ = 0;
   std::uint64_t restorations_ = 0;
-  std::size_t pending_ = 0;       ///< steps until all spheres behind the surface are cut
-  std::size_t part_ = 0;          ///< part of the surface to cut next, 0 to kParts − 1
-  std::size_t next_ = 0;          ///< next entry of partial_ to check
-  std::size_t restored_ = 0;      ///< number of groups restored so far
-  std::size_t cleared_ = 0;       ///< number of groups that the device is known to be outside of
-  bool isCutSinceReset_ = false;  ///< a sphere was cut since the bone was whole
-  bool isOutside_ = false;        ///< see isOutside()
+  std::size_t pending_ = 0;         ///< steps until all spheres behind the surface are cut
+  std::size_t nextPart_ = 0;        ///< part of the surface to cut next, 0 to kParts − 1
+  std::size_t next_ = 0;            ///< next entry of partialSlots_ to check
+  std::size_t restoredGroups_ = 0;  ///< number of groups restored so far
+  std::size_t clearedGroups_ = 0;   ///< number of groups that the device is known to be outside of
+  bool isCutSinceReset_ = false;    ///< a sphere was cut since the bone was whole
+  bool isOutside_ = false;          ///< see isOutside()
   double leastRemainderRadius_ = 0.0;  ///< remainders of a smaller radius are removed [m]
-  double removed_ = 0.0;
+  double removedMass_ = 0.0;
   Reamer tool_;
 };
 

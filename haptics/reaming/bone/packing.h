@@ -74,7 +74,7 @@ struct Packing {
   }  ///< fraction of the body that the spheres fill
 };
 
-/// The largest errors of a packing, relative to a radius; for tests and reports.
+/// The largest errors of a packing, each relative to a radius of a sphere; for tests and reports.
 struct PackingFlaws {
   double overlap = 0.0;     ///< of two spheres, relative to the smaller radius; 0 if none overlap
   double protrusion = 0.0;  ///< of a sphere out of the body

@@ -30,29 +30,32 @@ void check(const Packing& packing, std::span<const double> densities) {
 SphereField::SphereField(const Packing& packing, std::span<const double> densities) {
   check(packing, densities);
   Vec3 high = packing.spheres.front().centre();
-  low_ = high;
+  lowerCorner_ = high;
   double sum = 0.0;
   for (const auto& s : packing.spheres) {
     const Vec3 c = s.centre();
-    low_ = {std::min(low_.x, c.x), std::min(low_.y, c.y), std::min(low_.z, c.z)};
+    lowerCorner_ = {
+        std::min(lowerCorner_.x, c.x),
+        std::min(lowerCorner_.y, c.y),
+        std::min(lowerCorner_.z, c.z)};
     high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
-    largest_ = std::max(largest_, double{s.radius});
+    largestRadius_ = std::max(largestRadius_, double{s.radius});
     sum += s.radius;
   }
   // Cells of four mean diameters are fastest, with a flat optimum. Lower bounds: at most one cell
   // per sphere, at most 1000 cells along the diagonal, and above 0 if all spheres are at one place.
   const auto count = static_cast<double>(packing.spheres.size());
-  const Vec3 size = high - low_;
+  const Vec3 size = high - lowerCorner_;
   const double coarse = std::cbrt(size.x * size.y * size.z / count);
-  cell_ = std::max({4.0 * 2.0 * sum / count, coarse, 1e-3 * length(size), 1e-9});
-  nx_ = static_cast<int>(size.x / cell_) + 1;
-  ny_ = static_cast<int>(size.y / cell_) + 1;
-  nz_ = static_cast<int>(size.z / cell_) + 1;
+  cellSize_ = std::max({4.0 * 2.0 * sum / count, coarse, 1e-3 * length(size), 1e-9});
+  nx_ = static_cast<int>(size.x / cellSize_) + 1;
+  ny_ = static_cast<int>(size.y / cellSize_) + 1;
+  nz_ = static_cast<int>(size.z / cellSize_) + 1;
   const auto cells =
       static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) * static_cast<std::size_t>(nz_);
   layOut(packing, cells);
   std::vector<std::size_t> next(cells);
-  for (std::size_t i = 0; i < cells; ++i) next[i] = kLanes * start_[i];
+  for (std::size_t i = 0; i < cells; ++i) next[i] = kLanes * firstGroups_[i];
   for (std::size_t i = 0; i < packing.spheres.size(); ++i) {
     const auto& s = packing.spheres[i];
     const std::size_t slot = next[cellOf(s.centre())]++;
@@ -71,16 +74,17 @@ void SphereField::layOut(const Packing& packing, std::size_t cells) {
   constexpr std::uint32_t kSpareSlots = 2;  // slots for spheres that are split off
   std::vector<std::uint32_t> held(cells, 0);
   for (const auto& s : packing.spheres) ++held[cellOf(s.centre())];
-  start_.assign(cells + 1, 0);
+  firstGroups_.assign(cells + 1, 0);
   for (std::size_t i = 0; i < cells; ++i) {
     const std::uint32_t wanted = held[i] > 0 ? held[i] + kSpareSlots : 0;
-    start_[i + 1] = start_[i] + static_cast<std::uint32_t>((wanted + kLanes - 1) / kLanes);
+    firstGroups_[i + 1] =
+        firstGroups_[i] + static_cast<std::uint32_t>((wanted + kLanes - 1) / kLanes);
   }
-  groups_.resize(start_.back());
+  groups_.resize(firstGroups_.back());
 }
 
 std::size_t SphereField::cellOf(Vec3 place) const noexcept {
-  const Vec3 from = place - low_;
+  const Vec3 from = place - lowerCorner_;
   const auto i = static_cast<std::size_t>(cellIndexAlong(from.x, nx_));
   const auto j = static_cast<std::size_t>(cellIndexAlong(from.y, ny_));
   const auto k = static_cast<std::size_t>(cellIndexAlong(from.z, nz_));
@@ -89,7 +93,8 @@ std::size_t SphereField::cellOf(Vec3 place) const noexcept {
 
 std::size_t SphereField::freeSlot(Vec3 place) const noexcept {
   const std::size_t cell = cellOf(place);
-  for (std::size_t slot = kLanes * start_[cell + 1]; slot > kLanes * start_[cell]; --slot) {
+  for (std::size_t slot = kLanes * firstGroups_[cell + 1]; slot > kLanes * firstGroups_[cell];
+       --slot) {
     if (group(slot - 1).radius[(slot - 1) % kLanes] == 0.0F) return slot - 1;
   }
   return slotCount();
@@ -98,16 +103,16 @@ std::size_t SphereField::freeSlot(Vec3 place) const noexcept {
 void SphereField::move(std::size_t slot, Vec3 place) noexcept {
   auto& g = group(slot);
   const std::size_t lane = slot % kLanes;
-  const auto owner = std::upper_bound(start_.begin(), start_.end(), slot / kLanes) - 1;
-  const auto cell = static_cast<std::size_t>(owner - start_.begin());
+  const auto owner = std::upper_bound(firstGroups_.begin(), firstGroups_.end(), slot / kLanes) - 1;
+  const auto cell = static_cast<std::size_t>(owner - firstGroups_.begin());
   const auto width = static_cast<std::size_t>(nx_);
   const auto height = static_cast<std::size_t>(ny_);
   const std::size_t at[] = {cell % width, cell / width % height, cell / (width * height)};
-  const Vec3 from = place - low_;
+  const Vec3 from = place - lowerCorner_;
   const double off[] = {from.x, from.y, from.z};
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = cell_ * static_cast<double>(at[axis]);
-    drift_ = std::max({drift_, low - off[axis], off[axis] - (low + cell_)});
+    const double low = cellSize_ * static_cast<double>(at[axis]);
+    drift_ = std::max({drift_, low - off[axis], off[axis] - (low + cellSize_)});
   }
   g.x[lane] = static_cast<float>(place.x);
   g.y[lane] = static_cast<float>(place.y);
@@ -133,22 +138,22 @@ KernelReamer inSinglePrecision(const Reamer& reamer) noexcept {
 template <typename Work>
 void SphereField::runInParallel(const Reamer& reamer, Work work) const {
   constexpr std::size_t kRangesPerBatch = 512;
-  std::array<GroupRange, kRangesPerBatch> stretches;
+  std::array<GroupRange, kRangesPerBatch> ranges;
   std::size_t count = 0;
   forEachRange(reamer, [&](std::uint32_t begin, std::uint32_t end) {
-    stretches[count++] = {begin, end};
+    ranges[count++] = {begin, end};
     if (count < kRangesPerBatch) return;
-    work(std::span<const GroupRange>(stretches).first(count));
+    work(std::span<const GroupRange>(ranges).first(count));
     count = 0;
   });
-  work(std::span<const GroupRange>(stretches).first(count));
+  work(std::span<const GroupRange>(ranges).first(count));
 }
 
-ReamerContact SphereField::touch(const Reamer& reamer, bool isCut) const noexcept {
+ReamerContact SphereField::touch(const Reamer& reamer, bool leavesOutCutParts) const noexcept {
   const auto tool = inSinglePrecision(reamer);
   KernelSums sums;
-  runInParallel(reamer, [&](std::span<const GroupRange> stretches) {
-    addSpheres(groups_.data(), stretches, tool, isCut, sums);
+  runInParallel(reamer, [&](std::span<const GroupRange> ranges) {
+    addSpheres(groups_.data(), ranges, tool, leavesOutCutParts, sums);
   });
   using Sums = KernelSums;
   const auto& total = sums.of;
@@ -181,11 +186,11 @@ std::size_t SphereField::findSpheresToCut(
   const auto tool = inSinglePrecision(reamer);
   std::size_t count = 0;
   std::size_t seen = 0;
-  runInParallel(reamer, [&](std::span<const GroupRange> stretches) {
-    for (const auto& stretch : stretches) {
+  runInParallel(reamer, [&](std::span<const GroupRange> ranges) {
+    for (const auto& range : ranges) {
       if (seen++ % parts != part) continue;
       count += reaming::findSpheresToCut(
-          groups_.data(), std::span(&stretch, 1), tool, found.subspan(count));
+          groups_.data(), std::span(&range, 1), tool, found.subspan(count));
     }
   });
   return count;

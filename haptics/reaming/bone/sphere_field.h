@@ -43,9 +43,10 @@ class SphereField {
   /// from that of the spheres, or one is out of range.
   SphereField(const Packing& packing, std::span<const double> densities);
 
-  /// The sums over all spheres that the surface cuts. With @p isCut, parts that have already been
-  /// cut off do not count. Never allocates. All sums are 0 for a reamer whose position is NaN.
-  ReamerContact touch(const Reamer& reamer, bool isCut) const noexcept;
+  /// The sums over all spheres that the surface cuts. With @p leavesOutCutParts, parts that have
+  /// already been cut off do not count. Never allocates. All sums are 0 for a reamer whose position
+  /// is NaN.
+  ReamerContact touch(const Reamer& reamer, bool leavesOutCutParts) const noexcept;
 
   /// Finds spheres that the surface has entered deeper than they have been cut. Only every @p
   /// parts-th range, beginning with number @p part, is searched.
@@ -56,10 +57,10 @@ class SphereField {
       std::size_t parts,
       std::span<std::uint32_t> found) const noexcept;
 
-  /// Calls @p see(begin, end) with ranges of groups that together contain all spheres that the
+  /// Calls @p visit(begin, end) with ranges of groups that together contain all spheres that the
   /// surface of @p reamer may cut.
-  template <typename See>
-  void forEachRange(const Reamer& reamer, See see) const;
+  template <typename Visit>
+  void forEachRange(const Reamer& reamer, Visit visit) const;
 
   /// A slot is a lane of a group: slot / kLanes, slot % kLanes.
   std::size_t slotCount() const noexcept { return kLanes * groups_.size(); }
@@ -80,7 +81,8 @@ class SphereField {
   /// its distance from that cell.
   void move(std::size_t slot, Vec3 place) noexcept;
 
-  /// To be called when all spheres are in their cells again.
+  /// Sets the largest distance of a moved sphere from its cell to 0. Call it when all spheres are
+  /// in their cells again.
   void resetDrift() noexcept { drift_ = 0.0; }
 
   /// Whether the reamer's teeth have passed the centre of a sphere in groups @p from … @p end − 1:
@@ -88,33 +90,33 @@ class SphereField {
   bool holds(const Reamer& reamer, std::size_t from, std::size_t end) const noexcept;
 
   std::size_t bytes() const noexcept { return sizeof(SphereGroup) * groups_.size(); }
-  double largestRadius() const noexcept { return largest_; }  ///< of the packing [m]
+  double largestRadius() const noexcept { return largestRadius_; }  ///< of the packing [m]
 
  private:
   int cellIndexAlong(double from, int count) const noexcept {
-    return static_cast<int>(std::clamp(std::floor(from / cell_), 0.0, count - 1.0));
+    return static_cast<int>(std::clamp(std::floor(from / cellSize_), 0.0, count - 1.0));
   }
   std::size_t cellOf(Vec3 place) const noexcept;
   template <typename Work>
   void runInParallel(const Reamer& reamer, Work work) const;
   void layOut(const Packing& packing, std::size_t cells);
 
-  Vec3 low_;
-  double cell_ = 1.0;  ///< [m]
+  Vec3 lowerCorner_;
+  double cellSize_ = 1.0;  ///< [m]
   int nx_ = 1, ny_ = 1, nz_ = 1;
-  std::vector<std::uint32_t> start_;  ///< first group of each cell, and the end of the last
+  std::vector<std::uint32_t> firstGroups_;  ///< first group of each cell, and the end of the last
   std::vector<SphereGroup> groups_;
-  double largest_ = 0.0;  ///< radius [m]
-  double drift_ = 0.0;    ///< largest distance of a moved sphere from its cell [m]
+  double largestRadius_ = 0.0;  ///< radius [m]
+  double drift_ = 0.0;          ///< largest distance of a moved sphere from its cell [m]
 };
 
-template <typename See>
-void SphereField::forEachRange(const Reamer& reamer, See see) const {
+template <typename Visit>
+void SphereField::forEachRange(const Reamer& reamer, Visit visit) const {
   // The surface cuts spheres whose centres are in a spherical shell: its outer and inner radius.
-  const double pad = largest_ + drift_;
+  const double pad = largestRadius_ + drift_;
   const double outer = reamer.radius + pad;
   const double inner = std::max(0.0, reamer.radius - pad);
-  const Vec3 from = reamer.centre - low_;
+  const Vec3 from = reamer.centre - lowerCorner_;
   if (!std::isfinite(from.x + from.y + from.z)) return;
   const auto nearest = [](double low, double high) {
     return low > 0.0 ? low : high < 0.0 ? -high : 0.0;
@@ -123,8 +125,8 @@ void SphereField::forEachRange(const Reamer& reamer, See see) const {
   const int firstK = cellIndexAlong(from.z - outer, nz_);
   const int lastK = cellIndexAlong(from.z + outer, nz_);
   for (int k = firstK; k <= lastK; ++k) {
-    const double z0 = k * cell_ - from.z;
-    const double z1 = z0 + cell_;
+    const double z0 = k * cellSize_ - from.z;
+    const double z1 = z0 + cellSize_;
     const double nearZ = nearest(z0, z1);
     const double farZ = farthest(z0, z1);
     const double acrossY = outer * outer - nearZ * nearZ;
@@ -133,8 +135,8 @@ void SphereField::forEachRange(const Reamer& reamer, See see) const {
     const int firstJ = cellIndexAlong(from.y - reachY, ny_);
     const int lastJ = cellIndexAlong(from.y + reachY, ny_);
     for (int j = firstJ; j <= lastJ; ++j) {
-      const double y0 = j * cell_ - from.y;
-      const double y1 = y0 + cell_;
+      const double y0 = j * cellSize_ - from.y;
+      const double y1 = y0 + cellSize_;
       const double nearY = nearest(y0, y1);
       const double acrossX = acrossY - nearY * nearY;
       if (acrossX < 0.0) continue;
@@ -152,15 +154,15 @@ void SphereField::forEachRange(const Reamer& reamer, See see) const {
       const int first = cellIndexAlong(from.x - reachX, nx_);
       const int last = cellIndexAlong(from.x + reachX, nx_);
       const auto stretch = [&](int a, int b) {
-        const auto begin = start_[row + static_cast<std::size_t>(a)];
-        const auto end = start_[row + static_cast<std::size_t>(b) + 1];
-        if (begin < end) see(begin, end);
+        const auto begin = firstGroups_[row + static_cast<std::size_t>(a)];
+        const auto end = firstGroups_[row + static_cast<std::size_t>(b) + 1];
+        if (begin < end) visit(begin, end);
       };
       // Skip cells that are entirely inside the shell's inner radius.
       const double gap = hollow > 0.0 ? std::sqrt(hollow) : 0.0;
-      const int leftEnd = static_cast<int>(std::floor((from.x - gap) / cell_));
-      const int rightBegin = static_cast<int>(std::floor((from.x + gap) / cell_));
-      if (gap > cell_ && rightBegin > leftEnd + 1) {
+      const int leftEnd = static_cast<int>(std::floor((from.x - gap) / cellSize_));
+      const int rightBegin = static_cast<int>(std::floor((from.x + gap) / cellSize_));
+      if (gap > cellSize_ && rightBegin > leftEnd + 1) {
         if (leftEnd >= first) stretch(first, std::min(leftEnd, last));
         if (rightBegin <= last) stretch(std::max(rightBegin, first), last);
       } else {

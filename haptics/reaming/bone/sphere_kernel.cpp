@@ -37,12 +37,13 @@ PALPATE_INLINE void root(const Lanes& of, Lanes& to) {
 
 /// Sums in single precision per lane, over few enough spheres that rounding errors are not
 /// noticeable.
-struct Partial {
+struct PartialSums {
   Lanes of[KernelSums::Quantities] = {};
 };
 
 template <bool kIsCut>
-PALPATE_INLINE void addGroup(const SphereGroup& group, const KernelReamer& reamer, Partial& sums) {
+PALPATE_INLINE void addGroup(
+    const SphereGroup& group, const KernelReamer& reamer, PartialSums& sums) {
   const Lanes none = {};
   Lanes dx, dy, dz, r;
   load(group.x, dx);
@@ -101,7 +102,7 @@ PALPATE_INLINE void addGroup(const SphereGroup& group, const KernelReamer& reame
   sums.of[KernelSums::Touched] += a > 0.0F ? none + 1.0F : none;
 }
 
-PALPATE_INLINE void flush(Partial& partial, KernelSums& sums) {
+PALPATE_INLINE void flush(PartialSums& partial, KernelSums& sums) {
   for (std::size_t q = 0; q < KernelSums::Quantities; ++q) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) sums.of[q] += double{partial.of[q][lane]};
     partial.of[q] = Lanes{};
@@ -111,19 +112,19 @@ PALPATE_INLINE void flush(Partial& partial, KernelSums& sums) {
 template <bool kIsCut>
 PALPATE_INLINE void add(
     const SphereGroup* groups,
-    std::span<const GroupRange> stretches,
+    std::span<const GroupRange> ranges,
     const KernelReamer& reamer,
     KernelSums& sums) {
   // Groups per partial sum; the relative rounding error is at most 1024 · 2⁻²⁴ = 6e-5.
-  constexpr std::size_t kAtMost = 1024;
-  Partial partial;
+  constexpr std::size_t kGroupsPerSum = 1024;
+  PartialSums partial;
   std::size_t looked = 0;
-  for (const auto& stretch : stretches) {
-    for (std::size_t i = stretch.begin; i < stretch.end; ++i) {
+  for (const auto& range : ranges) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
       addGroup<kIsCut>(groups[i], reamer, partial);
     }
-    looked += stretch.end - stretch.begin;
-    if (looked < kAtMost) continue;
+    looked += range.end - range.begin;
+    if (looked < kGroupsPerSum) continue;
     flush(partial, sums);
     looked = 0;
   }
@@ -135,26 +136,26 @@ PALPATE_INLINE void add(
 PALPATE_FOR_THIS_PROCESSOR
 void addSpheres(
     const SphereGroup* groups,
-    std::span<const GroupRange> stretches,
+    std::span<const GroupRange> ranges,
     const KernelReamer& reamer,
-    bool isCut,
+    bool leavesOutCutParts,
     KernelSums& sums) noexcept {
-  if (isCut) {
-    add<true>(groups, stretches, reamer, sums);
+  if (leavesOutCutParts) {
+    add<true>(groups, ranges, reamer, sums);
   } else {
-    add<false>(groups, stretches, reamer, sums);
+    add<false>(groups, ranges, reamer, sums);
   }
 }
 
 PALPATE_FOR_THIS_PROCESSOR
 std::size_t findSpheresToCut(
     const SphereGroup* groups,
-    std::span<const GroupRange> stretches,
+    std::span<const GroupRange> ranges,
     const KernelReamer& reamer,
     std::span<std::uint32_t> found) noexcept {
   std::size_t count = 0;
-  for (const auto& stretch : stretches) {
-    for (std::uint32_t i = stretch.begin; i < stretch.end; ++i) {
+  for (const auto& range : ranges) {
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
       const auto& group = groups[i];
       Lanes dx, dy, dz, r, depth;
       load(group.x, dx);

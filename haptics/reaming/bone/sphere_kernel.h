@@ -54,20 +54,20 @@ struct KernelSums {
 /// radius, so that it has no step.
 inline constexpr float kReleaseShare = 0.02F;
 
-/// Adds the spheres of the ranges @p stretches of @p groups to @p sums; with @p isCut, without the
-/// parts that have been cut off.
+/// Adds the spheres of the ranges @p ranges of @p groups to @p sums; with @p leavesOutCutParts,
+/// without the parts that have been cut off.
 void addSpheres(
     const SphereGroup* groups,
-    std::span<const GroupRange> stretches,
+    std::span<const GroupRange> ranges,
     const KernelReamer& reamer,
-    bool isCut,
+    bool leavesOutCutParts,
     KernelSums& sums) noexcept;
 
-/// Finds spheres of @p stretches that the surface has entered deeper than they have been cut.
+/// Finds spheres of @p ranges that the surface has entered deeper than they have been cut.
 /// @param found  receives their slots, group by group. @return how many, at most found.size().
 std::size_t findSpheresToCut(
     const SphereGroup* groups,
-    std::span<const GroupRange> stretches,
+    std::span<const GroupRange> ranges,
     const KernelReamer& reamer,
     std::span<std::uint32_t> found) noexcept;
 

@@ -29,8 +29,8 @@ double meanOf(std::span<const Member> members) {
   return sum / shares;
 }
 
-/// The expected extreme of a sample that includes each member with the probability of its share; at
-/// least one share must be 1.
+/// The expected extreme (largest or smallest value) of a random sample, in which each member is
+/// included with a probability equal to its share; at least one share must be 1.
 template <typename Before>
 double expectedExtreme(std::span<const Member> members, Before before) {
   std::vector<Member> sorted(members.begin(), members.end());
@@ -64,36 +64,36 @@ class StatisticAlongDepth {
 
   double next(const std::vector<Member>& now) {
     const double value = statistic_(now);
-    if (!before_.empty()) {
+    if (!previousMembers_.empty()) {
       auto moved = now;  // the present values with the previous shares
-      for (std::size_t i = 0; i < moved.size(); ++i) moved[i].share = before_[i].share;
+      for (std::size_t i = 0; i < moved.size(); ++i) moved[i].share = previousMembers_[i].share;
       const double values = statistic_(moved);
       addChange(values - value_, value - values);
     }
-    before_ = now;
+    previousMembers_ = now;
     value_ = value;
-    return value + added_;
+    return value + offset_;
   }
 
  private:
-  /// @param rise  change of the statistic caused by the values. @param change caused by the
-  ///     weights.
+  /// @param rise    change of the statistic that the changed values caused.
+  /// @param change  change of the statistic that the changed weights caused.
   void addChange(double rise, double change) {
-    risen_ += rise;
-    if (added_ == 0.0) highest_ = risen_;
-    if (risen_ > highest_) {
-      added_ = std::max(0.0, added_ - (risen_ - highest_));
-      highest_ = risen_;
+    totalRise_ += rise;
+    if (offset_ == 0.0) highestRise_ = totalRise_;
+    if (totalRise_ > highestRise_) {
+      offset_ = std::max(0.0, offset_ - (totalRise_ - highestRise_));
+      highestRise_ = totalRise_;
     }
-    if (change != 0.0) added_ = std::max(0.0, added_ - change);
+    if (change != 0.0) offset_ = std::max(0.0, offset_ - change);
   }
 
   Statistic statistic_;
-  std::vector<Member> before_;
+  std::vector<Member> previousMembers_;
   double value_ = 0.0;
-  double added_ = 0.0;    // offset that compensates leaving specimens
-  double risen_ = 0.0;    // total change of the statistic caused by the values
-  double highest_ = 0.0;  // maximum of risen_ while added_ is not 0
+  double offset_ = 0.0;       // offset that compensates leaving specimens
+  double totalRise_ = 0.0;    // total change of the statistic caused by the values
+  double highestRise_ = 0.0;  // maximum of totalRise_ while offset_ is not 0
 };
 
 const SampledCurve& longestOf(std::span<const SpecimenCurve> specimens) {
@@ -111,7 +111,8 @@ SampledCurve extended(const SpecimenCurve& specimen, const std::vector<double>& 
   return curve;
 }
 
-Envelope specimensOf(std::span<const SpecimenCurve> specimens, const std::vector<double>& places) {
+Envelope singleSampleEnvelope(
+    std::span<const SpecimenCurve> specimens, const std::vector<double>& places) {
   std::size_t common = places.size();
   for (const auto& specimen : specimens) common = std::min(common, specimen.curve.size());
   std::vector<std::size_t> order(specimens.size());
@@ -129,7 +130,8 @@ Envelope specimensOf(std::span<const SpecimenCurve> specimens, const std::vector
       extended(specimens[order.back()], places)};
 }
 
-Envelope statisticsOf(std::span<const SpecimenCurve> specimens, const std::vector<double>& places) {
+Envelope pointwiseEnvelope(
+    std::span<const SpecimenCurve> specimens, const std::vector<double>& places) {
   Envelope envelope;
   for (auto* curve : {&envelope.minimum, &envelope.average, &envelope.maximum}) curve->x = places;
   StatisticAlongDepth smallest(expectedMinimum);
@@ -166,7 +168,7 @@ Envelope statisticsOfPresent(
 }
 
 /// Counts the specimens at each depth.
-DepthEnvelope counted(std::span<const SpecimenCurve> specimens, bool canBeHeld) {
+DepthEnvelope withSpecimenCounts(std::span<const SpecimenCurve> specimens, bool canBeHeld) {
   DepthEnvelope result;
   for (std::size_t place = 0; place < longestOf(specimens).size(); ++place) {
     int measured = 0;
@@ -186,17 +188,17 @@ DepthEnvelope counted(std::span<const SpecimenCurve> specimens, bool canBeHeld) 
 
 DepthEnvelope depthEnvelopeOf(std::span<const SpecimenCurve> specimens, EnvelopeRule rule) {
   const auto& places = longestOf(specimens).x;
-  DepthEnvelope result = counted(specimens, true);
-  result.curves = rule == EnvelopeRule::Pointwise ? statisticsOf(specimens, places)
-                                                  : specimensOf(specimens, places);
+  DepthEnvelope result = withSpecimenCounts(specimens, true);
+  result.curves = rule == EnvelopeRule::Pointwise ? pointwiseEnvelope(specimens, places)
+                                                  : singleSampleEnvelope(specimens, places);
   return result;
 }
 
 DepthEnvelope envelopeOfRunningTests(std::span<const SpecimenCurve> specimens, EnvelopeRule rule) {
   const auto& places = longestOf(specimens).x;
-  DepthEnvelope result = counted(specimens, false);
+  DepthEnvelope result = withSpecimenCounts(specimens, false);
   result.curves = rule == EnvelopeRule::Pointwise ? statisticsOfPresent(specimens, places)
-                                                  : specimensOf(specimens, places);
+                                                  : singleSampleEnvelope(specimens, places);
   return result;
 }
 
@@ -219,7 +221,7 @@ double boundedDifference(const HermiteNodes& lower, const HermiteNodes& upper, s
 }
 
 /// Adjusts the slopes of the outer curves so that they do not cross the middle one.
-void bringTogether(EnvelopeSplines& splines) {
+void boundOuterSlopes(EnvelopeSplines& splines) {
   auto& [low, middle, high] = splines;
   for (std::size_t i = 0; i < middle.nodes.size(); ++i) {
     const double below = boundedDifference(low.nodes, middle.nodes, i);
@@ -276,7 +278,7 @@ EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeCriterion& no
       splines[c] = splineThrough(*curves[c], slopes[c], nodes, nodeCriterion.kind);
     }
     // Linear pieces between ordered nodes cannot cross.
-    if (nodeCriterion.kind != SplineKind::Linear) bringTogether(splines);
+    if (nodeCriterion.kind != SplineKind::Linear) boundOuterSlopes(splines);
     bool hasAdded = false;
     for (std::size_t c = 0; c < curves.size(); ++c) {
       const auto worst = worstOf(*curves[c], splines[c], nodeCriterion.floor);

@@ -67,8 +67,9 @@ SpecimenCurve specimenOf(
     for (double& x : stretched.x) x *= scale / curve.x.back();
     return {std::move(stretched), scale, curve.y.back(), isCensored};
   }
-  const double step = scale / static_cast<double>(kPlaces - 1);
-  return {resampled(curve, scale, kPlaces), curve.x.back(), endOf(curve, step), isCensored};
+  const double step = scale / static_cast<double>(kSampleCount - 1);
+  return {
+      resampled(curve, scale, kSampleCount), curve.x.back(), endValueOf(curve, step), isCensored};
 }
 
 DepthEnvelope envelopeOf(
@@ -101,13 +102,13 @@ std::vector<double> filtered(
 /// Resamples a signal over depth from the beginning of the test [m].
 SampledCurve overDepth(const Series& series, const std::vector<double>& samples) {
   const auto all = curveOver(series.displacement, samples);
-  auto curve = normalised(all, kPlaces);
+  auto curve = normalised(all, kSampleCount);
   for (double& x : curve.x) x *= all.x.back();
   return curve;
 }
 
-/// From this fraction of the limit on, a force counts as having reached it: the controller may stop
-/// a sample early.
+/// A force of at least this fraction of the limit counts as having reached it, because the
+/// controller of the testing machine may stop a sample early.
 constexpr double kShareOfForceLimit = 0.98;
 
 TestSetFit fitOf(

@@ -51,7 +51,7 @@ struct FitOptions {
 std::optional<std::string> problemOf(const FitOptions& options);
 
 /// Number of samples of a curve, evenly spaced over its depth.
-inline constexpr std::size_t kPlaces = 2001;
+inline constexpr std::size_t kSampleCount = 2001;
 
 /// A series as used for a material, or the reason why it was excluded.
 struct PreparedSeries {
@@ -63,7 +63,8 @@ struct PreparedSeries {
   double jitter = 0.0;               ///< RMS of what the low-pass removed from the force [N]
   double largestDisplacement = 0.0;  ///< [m]
   bool isCensored = false;           ///< a static test that ended at its force limit
-  SampledCurve force;  ///< filtered force [N], at kPlaces depths from the beginning of the test [m]
+  SampledCurve
+      force;  ///< filtered force [N], at kSampleCount depths from the beginning of the test [m]
   SampledCurve torque;  ///< [N·m]; empty if there is none
 };
 

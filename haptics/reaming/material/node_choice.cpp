@@ -20,7 +20,7 @@ struct Piece {
   bool operator<(const Piece& other) const { return error < other.error; }
 };
 
-/// Greedy rule for a local kind: only the pieces of a split need a new error.
+/// Greedy rule for a local kind of spline: after a split only the two new pieces need a new error.
 std::vector<std::size_t> greedyByPieces(const SplineDeviation& error, double wanted) {
   const auto pieceOf = [&](std::size_t from, std::size_t to) {
     const auto worst = error.between(from, to);
@@ -62,7 +62,7 @@ std::vector<double> curvatures(const SplineDeviation& error) {
   return result;
 }
 
-std::vector<std::size_t> above(
+std::vector<std::size_t> samplesAbove(
     const std::vector<double>& curvature, double threshold, bool isThinned) {
   std::vector<std::size_t> nodes{0};
   for (std::size_t i = 1; i + 1 < curvature.size(); ++i) {
@@ -85,11 +85,11 @@ std::vector<std::size_t> byThreshold(const SplineDeviation& error, double wanted
   constexpr int kMostFalls = 3000;
   const auto curvature = curvatures(error);
   double threshold = *std::max_element(curvature.begin(), curvature.end());
-  std::vector<std::size_t> best = above(curvature, threshold, isThinned);
+  std::vector<std::size_t> best = samplesAbove(curvature, threshold, isThinned);
   double bestError = error.through(best).error;
   for (int fall = 0; fall < kMostFalls && bestError > wanted; ++fall) {
     threshold *= kThresholdFactor;
-    auto nodes = above(curvature, threshold, isThinned);
+    auto nodes = samplesAbove(curvature, threshold, isThinned);
     if (nodes.size() == best.size() && !isThinned) continue;
     const double now = error.through(nodes).error;
     if (now >= bestError && isThinned) continue;
@@ -99,7 +99,8 @@ std::vector<std::size_t> byThreshold(const SplineDeviation& error, double wanted
   return best;
 }
 
-/// Optimal: shortest path over the samples, with an edge between two if one piece meets the error.
+/// Optimal: the shortest path over the samples, in which two samples are joined by an edge if one
+/// piece between them meets the error.
 std::vector<std::size_t> optimal(const SplineDeviation& error, double wanted) {
   const std::size_t n = error.size();
   constexpr auto kUnreached = std::numeric_limits<std::size_t>::max();
@@ -197,7 +198,7 @@ SplineDeviation::Worst SplineDeviation::of(
     const models::CubicSegment<double>& piece,
     std::size_t from,
     std::size_t to,
-    double enough) const {
+    double errorLimit) const {
   Worst worst{.at = from + (to - from) / 2};
   for (std::size_t i = from + 1; i < to; ++i) {
     const double y = curve_.y[i];
@@ -205,27 +206,27 @@ SplineDeviation::Worst SplineDeviation::of(
     if (measure == 0.0) continue;  // the paper's e_a is not defined at 0
     const double error = std::abs(piece.at(curve_.x[i]).force - y) / measure;
     if (error > worst.error) worst = {error, i};
-    if (worst.error > enough) break;
+    if (worst.error > errorLimit) break;
   }
   return worst;
 }
 
 SplineDeviation::Worst SplineDeviation::between(
-    std::size_t from, std::size_t to, double enough) const {
+    std::size_t from, std::size_t to, double errorLimit) const {
   models::HermiteNode<double> a{curve_.x[from], curve_.y[from], slopes_[from]};
   models::HermiteNode<double> b{curve_.x[to], curve_.y[to], slopes_[to]};
   if (criterion_.kind == SplineKind::Linear) {
     a.slope = b.slope = (b.force - a.force) / (b.position - a.position);
   }
-  return of(models::CubicSegment<double>::between(a, b), from, to, enough);
+  return of(models::CubicSegment<double>::between(a, b), from, to, errorLimit);
 }
 
 SplineDeviation::Worst SplineDeviation::through(
-    std::span<const std::size_t> nodes, double enough) const {
+    std::span<const std::size_t> nodes, double errorLimit) const {
   const auto spline = splineThrough(curve_, slopes_, nodes, criterion_.kind);
   Worst worst;
-  for (std::size_t i = 0; i + 1 < nodes.size() && worst.error <= enough; ++i) {
-    const auto here = of(spline.segments[i], nodes[i], nodes[i + 1], enough);
+  for (std::size_t i = 0; i + 1 < nodes.size() && worst.error <= errorLimit; ++i) {
+    const auto here = of(spline.segments[i], nodes[i], nodes[i + 1], errorLimit);
     if (here.error > worst.error) worst = here;
   }
   return worst;
@@ -254,8 +255,8 @@ SplineComparison compareSplines(
         .kind = kind, .spline = splineThrough(curve, slopes, comparison.nodes, kind)};
     compared.error = errorOf(curve, compared.spline, floor);
     const auto& first = comparison.splines.empty() ? compared : comparison.splines.front();
-    const auto published = sampleAt(curve, first.error.publishedAt);
-    const auto floored = sampleAt(curve, first.error.flooredAt);
+    const auto published = sampleAt(curve, first.error.publishedPosition);
+    const auto floored = sampleAt(curve, first.error.flooredPosition);
     const double v = std::abs(curve.y[published]);
     if (v > 0.0)
       compared.publishedErrorAtWorst = deviationAt(curve, compared.spline, published) / v;

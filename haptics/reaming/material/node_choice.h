@@ -78,24 +78,24 @@ class SplineDeviation {
   const std::vector<double>& slopes() const noexcept { return slopes_; }
 
   /// Largest error of the piece between two samples, for a local kind; stops as soon as the error
-  /// exceeds @p enough.
+  /// exceeds @p errorLimit.
   Worst between(
       std::size_t from,
       std::size_t to,
-      double enough = std::numeric_limits<double>::infinity()) const;
+      double errorLimit = std::numeric_limits<double>::infinity()) const;
 
   /// Largest error of the whole spline through @p nodes; stops as soon as the error exceeds @p
   /// enough.
   Worst through(
       std::span<const std::size_t> nodes,
-      double enough = std::numeric_limits<double>::infinity()) const;
+      double errorLimit = std::numeric_limits<double>::infinity()) const;
 
  private:
   Worst of(
       const models::CubicSegment<double>& piece,
       std::size_t from,
       std::size_t to,
-      double enough) const;
+      double errorLimit) const;
 
   const SampledCurve& curve_;
   NodeCriterion criterion_;

@@ -38,11 +38,12 @@ Nodes nodesByCurvature(const SplineDeviation& error, std::size_t count) {
   return nodes;
 }
 
-/// For a local kind: minimises the largest error of count − 1 pieces, with nodes at some of 400
-/// samples.
+/// For a local kind of spline: minimises the largest error of count − 1 pieces. Only 400 of the
+/// samples can become nodes.
 Nodes byDynamicProgramming(const SplineDeviation& error, std::size_t count) {
-  constexpr std::size_t kPlaces = 400;
-  const Nodes places = evenNodes(error.size(), std::max(count, std::min(error.size(), kPlaces)));
+  constexpr std::size_t kCandidateCount = 400;
+  const Nodes places =
+      evenNodes(error.size(), std::max(count, std::min(error.size(), kCandidateCount)));
   const std::size_t n = places.size();
   std::vector<double> cost(n * n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
@@ -78,8 +79,8 @@ Nodes byDynamicProgramming(const SplineDeviation& error, std::size_t count) {
   return nodes;
 }
 
-/// For a local kind: moves all nodes together to the best of the samples around each, until none
-/// moves.
+/// For a local kind of spline: moves all nodes together, each to the best sample near it, until no
+/// node moves.
 Nodes settledByPieces(const SplineDeviation& error, Nodes nodes) {
   constexpr std::ptrdiff_t kSamplesAround = 12;
   constexpr int kMostRounds = 40;
@@ -163,7 +164,7 @@ class Evolution {
       for (auto& member : members_) mutate(member, weight);
     }
     Nodes nodes = nodesOf(best().places);
-    settle(nodes);
+    moveSingleNodes(nodes);
     return nodes;
   }
 
@@ -197,13 +198,13 @@ class Evolution {
     });
   }
 
-  const Member& any() { return members_[random_.bits() % kMembers]; }
+  const Member& randomMember() { return members_[random_.bits() % kMembers]; }
 
   void mutate(Member& member, double weight) {
     constexpr double kCrossoverProbability = 0.7;
     const auto& origin = best().places;
-    const auto& one = any().places;
-    const auto& other = any().places;
+    const auto& one = randomMember().places;
+    const auto& other = randomMember().places;
     auto tried = member.places;
     const std::size_t sure = random_.bits() % std::max<std::size_t>(1, tried.size());
     for (std::size_t k = 0; k < tried.size(); ++k) {
@@ -217,7 +218,7 @@ class Evolution {
   }
 
   /// Moves single nodes, in large and small steps, while the largest error falls.
-  void settle(Nodes& nodes) const {
+  void moveSingleNodes(Nodes& nodes) const {
     double least = error_.through(nodes).error;
     const auto improves = [&](std::size_t k, std::ptrdiff_t by) {
       const std::size_t kept = nodes[k];

@@ -205,12 +205,12 @@ ApproximationError errorOf(const SampledCurve& curve, const Spline& spline, doub
     const double off = std::abs(spline.segments[piece].at(x).force - y);
     if (y != 0.0 && off / std::abs(y) > error.published) {
       error.published = off / std::abs(y);
-      error.publishedAt = x;
+      error.publishedPosition = x;
     }
     const double floored = off / std::max(std::abs(y), floor);
     if (floored > error.floored) {
       error.floored = floored;
-      error.flooredAt = x;
+      error.flooredPosition = x;
     }
     error.largest = std::max(error.largest, off);
     squares += off * off;

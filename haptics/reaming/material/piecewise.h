@@ -52,10 +52,10 @@ Spline splineThrough(
 
 /// Deviation of a spline from the data, by several measures.
 struct ApproximationError {
-  double published = 0.0;    ///< max |v − v̂|/|v| over v ≠ 0: the paper's e_a
-  double publishedAt = 0.0;  ///< position of that maximum [unit of x]
-  double floored = 0.0;      ///< max |v − v̂| / max(|v|, floor)
-  double flooredAt = 0.0;
+  double published = 0.0;          ///< max |v − v̂|/|v| over v ≠ 0: the paper's e_a
+  double publishedPosition = 0.0;  ///< position of that maximum [unit of x]
+  double floored = 0.0;            ///< max |v − v̂| / max(|v|, floor)
+  double flooredPosition = 0.0;
   double largest = 0.0;  ///< max |v − v̂| [unit of y]
   double rms = 0.0;      ///< [unit of y]
   double rSquared = 0.0;

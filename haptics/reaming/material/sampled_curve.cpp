@@ -58,23 +58,23 @@ class Reader {
 
 SampledCurve normalised(const SampledCurve& curve, std::size_t count) {
   SampledCurve result;
-  const double whole = curve.x.back();
-  Reader reader(curve, 0.5 * whole / static_cast<double>(count - 1));
+  const double largestX = curve.x.back();
+  Reader reader(curve, 0.5 * largestX / static_cast<double>(count - 1));
   for (std::size_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    const double read = reader.at(share * whole);
+    const double read = reader.at(share * largestX);
     result.x.push_back(share);
     result.y.push_back(i == 0 ? curve.y.front() : i + 1 == count ? curve.y.back() : read);
   }
   return result;
 }
 
-SampledCurve resampled(const SampledCurve& curve, double whole, std::size_t count) {
+SampledCurve resampled(const SampledCurve& curve, double largestX, std::size_t count) {
   SampledCurve result;
   const auto last = static_cast<double>(count - 1);
-  Reader reader(curve, 0.5 * whole / last);
+  Reader reader(curve, 0.5 * largestX / last);
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = static_cast<double>(i) / last * whole;
+    const double x = static_cast<double>(i) / last * largestX;
     if (x > curve.x.back()) break;
     const double read = reader.at(x);
     result.x.push_back(x);
@@ -83,7 +83,7 @@ SampledCurve resampled(const SampledCurve& curve, double whole, std::size_t coun
   return result;
 }
 
-double endOf(const SampledCurve& curve, double width) {
+double endValueOf(const SampledCurve& curve, double width) {
   double sum = 0.0;
   double count = 0.0;
   for (std::size_t i = curve.size(); i-- > 0;) {

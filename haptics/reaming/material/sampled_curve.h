@@ -23,13 +23,13 @@ SampledCurve curveOver(std::span<const double> displacement, std::span<const dou
 /// nearest to it, or is interpolated linearly if there are none; the ends are those of the curve.
 SampledCurve normalised(const SampledCurve& curve, std::size_t count);
 
-/// @p curve at those of @p count evenly spaced x from 0 to @p whole that it reaches. Each point is
-/// computed as in normalised(); the first is that of the curve.
+/// @p curve at those of @p count evenly spaced x from 0 to @p largestX that it reaches. Each point
+/// is computed as in normalised(); the first is that of the curve.
 ///
-/// @param whole  at least the largest x of the curve.
-SampledCurve resampled(const SampledCurve& curve, double whole, std::size_t count);
+/// @param largestX  at least the largest x of the curve.
+SampledCurve resampled(const SampledCurve& curve, double largestX, std::size_t count);
 
 /// The mean of the samples in the last @p width of x.
-double endOf(const SampledCurve& curve, double width);
+double endValueOf(const SampledCurve& curve, double width);
 
 }  // namespace haptics::reaming

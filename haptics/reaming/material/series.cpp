@@ -54,7 +54,7 @@ struct Lines {
   bool isSynthetic = false;  ///< a comment says that the data are synthetic
 };
 
-Lines linesWithoutRemarks(std::string_view text) {
+Lines linesWithoutComments(std::string_view text) {
   Lines lines;
   for (const TextLine& line : base::linesOf(text)) {
     const bool isRemark = lines.all.empty() && line.text.starts_with('#');
@@ -135,7 +135,7 @@ double rateOf(
 /// UserError
 void checkUnits(const Series& series) {
   constexpr double kLargestDisplacement = 0.2;  // [m]
-  constexpr double kStrongest = 20e3;           // [N]
+  constexpr double kLargestForce = 20e3;        // [N]
   const auto refuse = [&](const std::string& what, const char* quantity, const char* units) {
     throw base::UserError(
         series.name + ": " + what + ". Its unit must be another one (" + units +
@@ -153,10 +153,10 @@ void checkUnits(const Series& series) {
   }
   double strongest = 0.0;
   for (const double force : series.force) strongest = std::max(strongest, std::abs(force));
-  if (strongest > kStrongest) {
+  if (strongest > kLargestForce) {
     refuse(
         "the force goes to " + recordings::decimal(strongest / 1000.0, 1) +
-            " kN, and no bone holds more than " + recordings::decimal(kStrongest / 1000.0, 0) +
+            " kN, and no bone holds more than " + recordings::decimal(kLargestForce / 1000.0, 0) +
             " kN",
         "force",
         "N");
@@ -166,7 +166,7 @@ void checkUnits(const Series& series) {
 }  // namespace
 
 Series readSeries(std::string_view text, const std::string& name, const SeriesMapping& mapping) {
-  const auto found = linesWithoutRemarks(base::withoutByteOrderMark(text));
+  const auto found = linesWithoutComments(base::withoutByteOrderMark(text));
   const auto& lines = found.all;
   constexpr std::size_t kFewestRows = 3;
   if (lines.size() < kFewestRows + 1) {
@@ -242,7 +242,7 @@ std::string asText(const Series& series) {
 
 namespace {
 
-std::string shown(double value, int digits = 1) {
+std::string inDecimals(double value, int digits = 1) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
   return text;
@@ -250,7 +250,7 @@ std::string shown(double value, int digits = 1) {
 
 constexpr double kMillimetres = 1000.0;
 
-std::optional<std::string> implausible(const Series& series) {
+std::optional<std::string> implausibilityIn(const Series& series) {
   constexpr std::size_t kFewest = 100;
   const auto& x = series.displacement;
   if (x.size() != series.force.size() ||
@@ -270,8 +270,8 @@ std::optional<std::string> implausible(const Series& series) {
   }
   const double way = x.back() - x.front();
   if (!(way > 0.0)) {
-    return "its displacement goes from " + shown(kMillimetres * x.front(), 2) + " to " +
-           shown(kMillimetres * x.back(), 2) + " mm; the axis is reversed, or nothing moved";
+    return "its displacement goes from " + inDecimals(kMillimetres * x.front(), 2) + " to " +
+           inDecimals(kMillimetres * x.back(), 2) + " mm; the axis is reversed, or nothing moved";
   }
   const double least = *std::min_element(x.begin(), x.end());
   if (x.front() - least > 0.05 * way) return "the reamer goes back at its beginning";
@@ -286,7 +286,7 @@ double medianOf(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-std::optional<std::string> feedChanged(const Series& series) {
+std::optional<std::string> feedChangeIn(const Series& series) {
   constexpr std::size_t kParts = 20;
   constexpr double kToleratedChange = 1.0 / 3.0;
   const auto& x = series.displacement;
@@ -301,17 +301,17 @@ std::optional<std::string> feedChanged(const Series& series) {
     if (std::abs(feeds[part] - usual) <= kToleratedChange * usual) continue;
     const auto second = [&](std::size_t of) {
       const std::size_t sample = of * (x.size() - 1) / kParts;
-      return shown(static_cast<double>(sample) / series.rate);
+      return inDecimals(static_cast<double>(sample) / series.rate);
     };
-    return "the feed was changed: it is " + shown(kMillimetres * feeds[part], 3) +
+    return "the feed was changed: it is " + inDecimals(kMillimetres * feeds[part], 3) +
            " mm/s between " + second(part) + " and " + second(part + 1) + " s, and mostly " +
-           shown(kMillimetres * usual, 3) + " mm/s";
+           inDecimals(kMillimetres * usual, 3) + " mm/s";
   }
   return std::nullopt;
 }
 
 /// The mean force of each half second.
-std::vector<double> halfSeconds(const Series& series) {
+std::vector<double> halfSecondMeans(const Series& series) {
   const auto length = std::max<std::size_t>(1, static_cast<std::size_t>(series.rate / 2.0));
   std::vector<double> means;
   for (std::size_t at = 0; at + length <= series.force.size(); at += length) {
@@ -322,9 +322,9 @@ std::vector<double> halfSeconds(const Series& series) {
   return means;
 }
 
-std::optional<std::string> brokeOut(const Series& series) {
+std::optional<std::string> breakOutIn(const Series& series) {
   constexpr double kLeastBreakingForce = 20.0;  // [N]
-  const auto means = halfSeconds(series);
+  const auto means = halfSecondMeans(series);
   for (std::size_t i = 2; i < means.size(); ++i) {
     // Compare with two intervals before, since the break may happen within an interval.
     const double before = means[i - 2];
@@ -332,17 +332,17 @@ std::optional<std::string> brokeOut(const Series& series) {
     const double after =
         *std::max_element(means.begin() + static_cast<std::ptrdiff_t>(i), means.end());
     if (after > 0.75 * before) continue;
-    return "the force falls from " + shown(before, 0) + " to " + shown(means[i], 0) +
-           " N within a second, at " + shown(static_cast<double>(i) / 2.0) +
+    return "the force falls from " + inDecimals(before, 0) + " to " + inDecimals(means[i], 0) +
+           " N within a second, at " + inDecimals(static_cast<double>(i) / 2.0) +
            " s, and does not come back";
   }
   return std::nullopt;
 }
 
-std::optional<std::string> reamedThrough(const Series& series) {
+std::optional<std::string> reamingThroughIn(const Series& series) {
   constexpr double kEarliestDepth = 0.010;  // [m]
-  constexpr double kAtLeast = 0.001;        // [m]
-  const auto means = halfSeconds(series);
+  constexpr double kLeastLength = 0.001;    // [m]
+  const auto means = halfSecondMeans(series);
   if (means.empty()) return std::nullopt;
   const double most = *std::max_element(means.begin(), means.end());
   const double start = series.displacement.front();
@@ -352,19 +352,19 @@ std::optional<std::string> reamedThrough(const Series& series) {
   if (empty == means.size()) return std::nullopt;
   const double from = series.displacement[empty * length] - start;
   const double to = series.displacement.back() - start;
-  if (from < kEarliestDepth || to - from < kAtLeast) return std::nullopt;
-  return "nothing is felt any more from " + shown(kMillimetres * from) + " mm on";
+  if (from < kEarliestDepth || to - from < kLeastLength) return std::nullopt;
+  return "nothing is felt any more from " + inDecimals(kMillimetres * from) + " mm on";
 }
 
 }  // namespace
 
 Exclusion exclusionOf(const Series& series) {
-  if (const auto why = implausible(series)) return {ExclusionReason::Implausible, *why};
-  if (const auto why = feedChanged(series)) return {ExclusionReason::FeedChanged, *why};
+  if (const auto why = implausibilityIn(series)) return {ExclusionReason::Implausible, *why};
+  if (const auto why = feedChangeIn(series)) return {ExclusionReason::FeedChanged, *why};
   if (series.set == TestSet::Static) return {};
   // The force also falls when the bone is reamed through, so this is checked first.
-  if (const auto why = reamedThrough(series)) return {ExclusionReason::ReamedThrough, *why};
-  if (const auto why = brokeOut(series)) return {ExclusionReason::BrokeOut, *why};
+  if (const auto why = reamingThroughIn(series)) return {ExclusionReason::ReamedThrough, *why};
+  if (const auto why = breakOutIn(series)) return {ExclusionReason::BrokeOut, *why};
   return {};
 }
 

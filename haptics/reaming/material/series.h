@@ -35,9 +35,9 @@ struct Series {
   double seconds() const noexcept { return static_cast<double>(force.size()) / rate; }
 };
 
-/// The columns of a table whose headings are not the usual ones: maps "time", "displacement",
-/// "force", "torque" to the heading in the file, and to its unit. Quantities that these maps lack
-/// are found by the usual headings.
+/// Says which columns of a table have other headings than the usual ones: maps "time",
+/// "displacement", "force" and "torque" to the heading in the file, and to its unit. A quantity
+/// that is not in a map is found by its usual heading.
 struct SeriesMapping {
   std::map<std::string, std::string> heads;
   std::map<std::string, std::string> units;
@@ -49,8 +49,9 @@ struct SeriesMapping {
 /// Displacements in m, mm, µm; forces in N, kN; torques in Nm, Nmm; times in s, ms. Lines before
 /// the header that begin with # are comments; "# SYNTHETIC" marks data that were not measured.
 ///
-/// @throws UserError  no such column, no or an unknown unit, a cell that is not a number, a gap in
-///     time, fewer than three rows, a displacement or a force beyond what can be.
+/// @throws UserError  if a column is missing, a unit is missing or unknown, a cell is not a number,
+///     there is a gap in time, there are fewer than three rows, or a displacement or force is
+///     larger than possible.
 Series readSeries(std::string_view text, const std::string& name, const SeriesMapping& mapping);
 
 /// Reads a table from a file, which does not contain @p set. @throws UserError

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRate = 100.0;          // [Hz]
 constexpr double kLargestDepth = 0.020;  // [m]
-constexpr double kLimit = 800.0;         // force limit of a static test [N]
+constexpr double kForceLimit = 800.0;    // force limit of a static test [N]
 constexpr double kPreload = 20.0;        // [N]
 constexpr double kStaticFeed = 0.07e-3;  // [m/s]
 
@@ -38,9 +38,9 @@ double staticForce(double depth, const SyntheticTest& test) {
   return kPreload + scale * (14.0 * mm + 9.0 * mm * mm);
 }
 
-bool isOver(const SyntheticTest& test, double force, double torque) {
-  constexpr double kStalls = 14.0;  // [N·m]
-  return test.set == TestSet::Static ? force >= kLimit : torque >= kStalls;
+bool hasTestEnded(const SyntheticTest& test, double force, double torque) {
+  constexpr double kStallTorque = 14.0;  // [N·m]
+  return test.set == TestSet::Static ? force >= kForceLimit : torque >= kStallTorque;
 }
 
 double feedAt(const SyntheticTest& test, double depth) {
@@ -73,7 +73,7 @@ Series syntheticSeries(const SyntheticTest& test) {
     if (!isStatic) {
       series.torque.push_back(torque + 0.028 * line + 0.02 * test.noise * random.normal());
     }
-    if (isOver(test, force, torque)) break;
+    if (hasTestEnded(test, force, torque)) break;
     depth += feedAt(test, depth) / kRate;
   }
   return series;

@@ -13,7 +13,7 @@ void Box::add(const Box& other) noexcept {
       std::max(high.z, other.high.z)};
 }
 
-bool Box::meets(const Box& other) const noexcept {
+bool Box::overlaps(const Box& other) const noexcept {
   return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
          other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;
 }
@@ -62,14 +62,14 @@ void BoxTree::build(
     return;
   }
   const Vec3 size = all.high - all.low;
-  const auto along = [&](const Box& box) {
+  const auto centreAlong = [&](const Box& box) {
     if (size.x >= size.y && size.x >= size.z) return box.low.x + box.high.x;
     return size.y >= size.z ? box.low.y + box.high.y : box.low.z + box.high.z;
   };
   const std::size_t middle = from + (to - from) / 2;
   const auto at = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(from), at(middle), at(to), [&](std::uint32_t a, std::uint32_t b) {
-    return along(boxes[a]) < along(boxes[b]);
+    return centreAlong(boxes[a]) < centreAlong(boxes[b]);
   });
   const auto first = static_cast<std::uint32_t>(nodes_.size());
   nodes_[node].item = first;

@@ -13,7 +13,7 @@ struct Box {
   Vec3 high;
 
   void add(const Box& other) noexcept;
-  bool meets(const Box& other) const noexcept;
+  bool overlaps(const Box& other) const noexcept;
   /// Squared distance of @p place from the box [m²]; 0 inside.
   double squaredDistanceTo(Vec3 place) const noexcept;
 };
@@ -34,7 +34,7 @@ class BoxTree {
     stack[depth++] = 0;
     while (depth > 0) {
       const Node& node = nodes_[stack[--depth]];
-      if (!node.box.meets(box)) continue;
+      if (!node.box.overlaps(box)) continue;
       if (node.isLeaf()) {
         take(node.item);
       } else {
@@ -44,8 +44,9 @@ class BoxTree {
     }
   }
 
-  /// Calls @p take with the index of every box that is nearer to @p place than the squared distance
-  /// @p square [m²], nearer halves first. @p take returns the new, smaller squared distance.
+  /// Calls @p take with the index of every box whose squared distance from @p place is less than
+  /// @p square [m²]; the nearer half of the tree is searched first. @p take returns the new,
+  /// smaller squared distance.
   template <typename Take>
   void forEachNearer(Vec3 place, double square, Take take) const {
     std::uint32_t stack[64];

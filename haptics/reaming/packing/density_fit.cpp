@@ -142,7 +142,7 @@ DensityFit fitNonNegative(
     double weight) {
   constexpr int kMostSteps = 60;  // per weight
   // relative duality gap at the requested weight: far below a noticeable force
-  constexpr double kGap = 1e-9;
+  constexpr double kFinalGap = 1e-9;
   // At larger weights only a start for the next weight is needed.
   constexpr double kIntermediateGap = 1e-2;
   constexpr double kWeightFactor = 0.3;  // factor by which the weight falls from step to step
@@ -162,7 +162,7 @@ DensityFit fitNonNegative(
     // λ is relative to the mean squared norm of a row, so the fit does not depend on units. The
     // bound avoids a division by zero for a zero matrix.
     const Dual dual{matrix, forces, prior, std::max(weightNow * row, 1e-300)};
-    const double goal = weightNow > weight ? kIntermediateGap : kGap;
+    const double goal = weightNow > weight ? kIntermediateGap : kFinalGap;
     point = dual.at(std::move(y));
     for (int step = 0; step < kMostSteps && gapOf(point) > goal; ++step) {
       auto next = dual.next(point);
@@ -210,7 +210,7 @@ namespace {
 
 /// Density of every sphere: that of its layer; spheres below the last touched layer get that
 /// layer's.
-std::vector<double> spread(
+std::vector<double> spreadOverSpheres(
     const ContactMatrix& few,
     std::span<const std::uint32_t> layerOf,
     const std::vector<double>& densities) {
@@ -248,7 +248,8 @@ BoneFit fitInLayers(
   // are far more than depths.
   const auto few = summedByLayer(matrix, layerOf, layers);
   fit.layers = fitNonNegative(few, wanted, std::vector<double>(layers, uniform), 1e-9);
-  fit.spheres = fitNonNegative(matrix, wanted, spread(few, layerOf, fit.layers.densities));
+  fit.spheres =
+      fitNonNegative(matrix, wanted, spreadOverSpheres(few, layerOf, fit.layers.densities));
   fit.densities = fit.spheres.densities;
   fit.touchedShare = touchedShare(matrix);
   return fit;
@@ -323,7 +324,7 @@ BoneFit fitBoneBySwarm(
     const auto few = summedByLayer(matrix, layerOf, layers);
     fit.layers = fitSwarm(few, forces, options);
     fit.spheres = fit.layers;
-    fit.spheres.densities = spread(few, layerOf, fit.layers.densities);
+    fit.spheres.densities = spreadOverSpheres(few, layerOf, fit.layers.densities);
   } else {
     fit.spheres = fitSwarm(matrix, forces, options);
     auto& densities = fit.spheres.densities;

@@ -100,7 +100,7 @@ struct SwarmOptions {
 DensityFit fitSwarm(
     const ContactMatrix& matrix, std::span<const double> forces, const SwarmOptions& options);
 
-/// The density that fits best if all spheres have the same.
+/// The density that fits best if all spheres have the same density.
 double uniformDensity(const ContactMatrix& matrix, std::span<const double> forces);
 
 /// |A ρ − F| / |F|; if F is 0: 0 for A ρ = 0, else 1.

@@ -73,7 +73,7 @@ struct VirtualExperiment {
   ContactMatrix levers() const {
     return leverMatrix(packing, packing.coverage(), plunge, torqueDepths);
   }
-  /// Fits μ with a quarter of the depths, since it takes a dozen fits.
+  /// Fits μ with a quarter of the depths, because a dozen fits are needed to find it.
   double friction(const CurveNodes& force, const CurveNodes& torque) const {
     return bestFriction(
         forces(torqueDepths),
@@ -200,13 +200,13 @@ FrictionFit fitFriction(const PackedBone& bone, const HardnessCurves& torque, st
 }
 
 ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions& options) {
-  constexpr double kMachine = 2e6;  // stiffness of a testing machine [N/m]
+  constexpr double kMachineStiffness = 2e6;  // stiffness of a testing machine [N/m]
   const double coverage = bone.packing.coverage();
   Bone cut(
       bone.packing,
       bone.densities(h, 1.0),
       {.coverage = coverage,
-       .coupling = kMachine,
+       .coupling = kMachineStiffness,
        .cuttingDamping = options.cuttingDamping,
        .mostFeed = options.mostFeed,
        .isGuided = true});

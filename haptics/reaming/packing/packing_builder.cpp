@@ -16,7 +16,7 @@
 namespace haptics::reaming {
 namespace {
 
-constexpr int kBlock = 3;                      // cells per side of a block
+constexpr int kCellsPerBlockSide = 3;          // cells per side of a block
 constexpr double kSpacing = 1.6;               // distance of the starting points, in wanted radii
 constexpr double kNextRadius = 0.7;            // ratio of the radius to that of the last pass
 constexpr double kSmallestRadiusShare = 0.05;  // of a pass, relative to the largest radius
@@ -80,10 +80,10 @@ class Builder {
       : body_(body), largest_(largest), cell_(2.0 * largest * (1.0 + 1e-6)), options_(options) {
     const Vec3 size = body.upperCorner() - body.lowerCorner();
     const auto blocksAlong = [&](double extent) {
-      return std::floor(extent / (cell_ * kBlock)) + 1.0;
+      return std::floor(extent / (cell_ * kCellsPerBlockSide)) + 1.0;
     };
     const double along[]{blocksAlong(size.x), blocksAlong(size.y), blocksAlong(size.z)};
-    const double cells = std::pow(kBlock, 3.0) * along[0] * along[1] * along[2];
+    const double cells = std::pow(kCellsPerBlockSide, 3.0) * along[0] * along[1] * along[2];
     if (!(cells <= 2e8)) {
       throw std::invalid_argument(
           "the spheres are so small beside the body that there is no memory for it: ask for fewer, "
@@ -146,7 +146,7 @@ class Builder {
   enum class Kind : char { Outside, Inside, Mixed };
 
   Vec3 cornerOf(const std::array<int, 3>& block) const {
-    const double side = cell_ * kBlock;
+    const double side = cell_ * kCellsPerBlockSide;
     return body_.lowerCorner() + side * Vec3{
                                             static_cast<double>(block[0]),
                                             static_cast<double>(block[1]),
@@ -154,7 +154,7 @@ class Builder {
   }
 
   void classify() {
-    const double half = 0.5 * cell_ * kBlock;
+    const double half = 0.5 * cell_ * kCellsPerBlockSide;
     const double reach = std::sqrt(3.0) * half;
     for (int k = 0; k < blocks_[2]; ++k) {
       for (int j = 0; j < blocks_[1]; ++j) {
@@ -188,8 +188,8 @@ class Builder {
         static_cast<int>(std::floor(from.z))};
   }
   std::size_t indexOf(int i, int j, int k) const noexcept {
-    const auto x = static_cast<std::size_t>(blocks_[0]) * kBlock;
-    const auto y = static_cast<std::size_t>(blocks_[1]) * kBlock;
+    const auto x = static_cast<std::size_t>(blocks_[0]) * kCellsPerBlockSide;
+    const auto y = static_cast<std::size_t>(blocks_[1]) * kCellsPerBlockSide;
     return (static_cast<std::size_t>(k) * y + static_cast<std::size_t>(j)) * x +
            static_cast<std::size_t>(i);
   }
@@ -211,7 +211,7 @@ class Builder {
     std::array<int, 3> to{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       from[axis] = std::max(0, cell[axis] - 1);
-      to[axis] = std::min(blocks_[axis] * kBlock - 1, cell[axis] + 1);
+      to[axis] = std::min(blocks_[axis] * kCellsPerBlockSide - 1, cell[axis] + 1);
     }
     for (int k = from[2]; k <= to[2]; ++k) {
       for (int j = from[1]; j <= to[1]; ++j) {
@@ -234,7 +234,7 @@ class Builder {
   }
 
   void fill(const std::array<int, 3>& block, double radius) {
-    const double side = cell_ * kBlock;
+    const double side = cell_ * kCellsPerBlockSide;
     const int along = std::max(1, static_cast<int>(std::ceil(side / (kSpacing * radius))));
     const double step = side / along;
     const bool isMixed = cellKind(block[0], block[1], block[2]) == Kind::Mixed;
@@ -279,13 +279,14 @@ class Builder {
       if (std::abs(nearest.clearance() - tangent->radius) < 1e-6 * largest_) break;
     }
     if (room < radius || !isIn(best, block)) return;
-    put(best, block, isMixed);
+    addSphere(best, block, isMixed);
   }
 
   bool isIn(Vec3 place, const std::array<int, 3>& block) const noexcept {
     const auto cell = cellOf(place);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (cell[axis] < kBlock * block[axis] || cell[axis] >= kBlock * (block[axis] + 1)) {
+      if (cell[axis] < kCellsPerBlockSide * block[axis] ||
+          cell[axis] >= kCellsPerBlockSide * (block[axis] + 1)) {
         return false;
       }
     }
@@ -294,7 +295,7 @@ class Builder {
 
   /// Adds a sphere. The centre is rounded to single precision first, so that the radius is exact
   /// for it.
-  void put(Vec3 place, const std::array<int, 3>& block, bool isMixed) {
+  void addSphere(Vec3 place, const std::array<int, 3>& block, bool isMixed) {
     const auto rounded = [&](double x) { return quantum_ * std::round(x / quantum_); };
     const Vec3 centre{rounded(place.x), rounded(place.y), rounded(place.z)};
     const double room = std::min(nearestObstacles(centre, isMixed).clearance(), largest_);

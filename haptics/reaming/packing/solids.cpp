@@ -88,7 +88,7 @@ MeshSolid::MeshSolid(TriangleMesh mesh)
   // both faces, at a corner the mean weighted by angles: with these pseudonormals the sign is right
   // everywhere (Baerentzen & Aanaes 2005), whereas the normal of a single face would be wrong near
   // a sharp corner.
-  std::vector<Vec3> atCorner(mesh_.vertices.size());
+  std::vector<Vec3> cornerNormals(mesh_.vertices.size());
   std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3> atEdge;
   const auto& v = mesh_.vertices;
   low_ = high_ = v.front();
@@ -99,7 +99,7 @@ MeshSolid::MeshSolid(TriangleMesh mesh)
       const auto here = t[i];
       const auto next = t[(i + 1) % 3];
       const auto last = t[(i + 2) % 3];
-      atCorner[here] = atCorner[here] + angleAt(v[here], v[next], v[last]) * face;
+      cornerNormals[here] = cornerNormals[here] + angleAt(v[here], v[next], v[last]) * face;
       auto& edge = atEdge[{std::min(here, next), std::max(here, next)}];
       edge = edge + face;
       low_ = {
@@ -112,7 +112,7 @@ MeshSolid::MeshSolid(TriangleMesh mesh)
     const auto& t = mesh_.triangles[k];
     for (std::size_t i = 0; i < 3; ++i) {
       const auto next = t[(i + 1) % 3];
-      normals_[k].corner[i] = unit(atCorner[t[i]]);
+      normals_[k].corner[i] = unit(cornerNormals[t[i]]);
       normals_[k].edge[i] = unit(atEdge[{std::min(t[i], next), std::max(t[i], next)}]);
     }
   }

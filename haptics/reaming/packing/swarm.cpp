@@ -72,7 +72,7 @@ DensityFit fitSwarm(
       particle.best = particle.place;
     }
   };
-  const auto leader = [&] {
+  const auto bestParticle = [&] {
     const auto best = std::min_element(
         particles.begin(), particles.end(), [](const Particle& a, const Particle& b) {
           return a.error < b.error;
@@ -80,7 +80,7 @@ DensityFit fitSwarm(
     return std::pair(best->best, best->error);
   };
   forEach(particles, options.threads, judge);
-  auto lead = leader();
+  auto lead = bestParticle();
   DensityFit fit{.densities = {}, .gap = std::numeric_limits<double>::quiet_NaN()};
   for (; fit.iterations < options.iterations; ++fit.iterations) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
@@ -89,7 +89,7 @@ DensityFit fitSwarm(
       move(particle, lead.first, most);
       judge(particle);
     });
-    lead = leader();
+    lead = bestParticle();
   }
   fit.densities = std::move(lead.first);
   fit.error = lead.second;

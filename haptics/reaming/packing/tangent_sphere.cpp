@@ -54,8 +54,8 @@ std::optional<TangentSphere> tangentTo(
   // Unknowns are the centre c and the radius r: dᵢ(c) − r = 0 for the signed distance dᵢ to each
   // obstacle. Its derivative by c is the unit normal, so a row of Newton's system is
   // nᵢ·Δc − Δr = r − dᵢ.
-  constexpr int kMostSteps = 8;    // the method converges quadratically or not at all
-  constexpr double kExact = 1e-7;  // relative to the reach
+  constexpr int kMostSteps = 8;        // the method converges quadratically or not at all
+  constexpr double kTolerance = 1e-7;  // relative to the reach
   TangentSphere sphere{start, obstacles[0].distance};
   for (int step = 0; step < kMostSteps; ++step) {
     System system;
@@ -73,7 +73,7 @@ std::optional<TangentSphere> tangentTo(
     // A step that leaves the neighbourhood finds a sphere between other obstacles, or none. The
     // negated comparisons also catch NaN.
     if (!(moved < reach) || !(length(sphere.centre - start) < 2.0 * reach)) return std::nullopt;
-    if (moved < kExact * reach) return sphere;
+    if (moved < kTolerance * reach) return sphere;
   }
   return std::nullopt;
 }

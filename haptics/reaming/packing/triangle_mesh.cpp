@@ -13,7 +13,7 @@ namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-std::string counted(std::size_t count, const char* one, const char* many) {
+std::string countText(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
@@ -24,7 +24,7 @@ bool isFinite(const TriangleMesh& mesh) noexcept {
 }
 
 /// Merges coinciding vertices; returns how many were removed.
-std::size_t weld(TriangleMesh& mesh) {
+std::size_t mergeVertices(TriangleMesh& mesh) {
   std::map<std::array<double, 3>, std::uint32_t> known;
   std::vector<std::uint32_t> renamed;
   std::vector<Vec3> kept;
@@ -72,7 +72,7 @@ bool pierces(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) noexcept {
          (first <= 0.0 && second <= 0.0 && third <= 0.0);
 }
 
-bool cut(
+bool doIntersect(
     const TriangleMesh& mesh, const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) {
   for (const auto corner : s) {
     if (std::find(t.begin(), t.end(), corner) != t.end())
@@ -87,12 +87,12 @@ bool cut(
   return false;
 }
 
-std::size_t pairsThatCut(const TriangleMesh& mesh) {
+std::size_t countIntersectingPairs(const TriangleMesh& mesh) {
   const BoxTree tree(boxesOf(mesh));
   std::size_t pairs = 0;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     tree.forEachOverlapping(boxOf(mesh, mesh.triangles[i]), [&](std::uint32_t j) {
-      if (j > i && cut(mesh, mesh.triangles[i], mesh.triangles[j])) ++pairs;
+      if (j > i && doIntersect(mesh, mesh.triangles[i], mesh.triangles[j])) ++pairs;
     });
   }
   return pairs;
@@ -132,8 +132,8 @@ double angleOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& t, Vec3 f
              dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
 
-/// Whether the parts form one body: parts that are not inside another face outwards, and hollows
-/// inside another face inwards. Otherwise the interior is not defined.
+/// Whether the parts form one body: a part that is not inside another part faces outwards, and a
+/// part inside another part (a hollow) faces inwards. Otherwise the interior is not defined.
 bool isOneBody(const TriangleMesh& mesh) {
   const auto [parts, count] = partsOf(mesh);
   if (count == 1) return true;
@@ -171,12 +171,13 @@ double TriangleMesh::volume() const noexcept {
 Repairs repair(TriangleMesh& mesh) {
   Repairs repairs;
   if (!isFinite(mesh)) return repairs;  // problemsOf() reports it
-  if (const auto welded = weld(mesh); welded > 0) {
-    repairs.push_back(counted(welded, "corner was", "corners were") + " joined with others there");
+  if (const auto welded = mergeVertices(mesh); welded > 0) {
+    repairs.push_back(
+        countText(welded, "corner was", "corners were") + " joined with others there");
   }
   if (const auto dropped = dropDegenerate(mesh); dropped > 0) {
     repairs.push_back(
-        counted(dropped, "triangle", "triangles") + " without area or twice there left out");
+        countText(dropped, "triangle", "triangles") + " without area or twice there left out");
   }
   if (mesh.volume() < 0.0) {
     for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
@@ -211,17 +212,17 @@ std::vector<std::string> problemsOf(const TriangleMesh& mesh) {
   std::vector<std::string> problems;
   if (open > 0) {
     problems.push_back(
-        "the mesh is open: " + counted(open, "edge has", "edges have") +
+        "the mesh is open: " + countText(open, "edge has", "edges have") +
         " a triangle on one side only. Close its holes");
   }
   if (crowded > 0) {
     problems.push_back(
-        counted(crowded, "edge has", "edges have") +
+        countText(crowded, "edge has", "edges have") +
         " more than two triangles, so there is no telling what is inside. Remove inner walls");
   }
   if (turned > 0) {
     problems.push_back(
-        counted(turned, "pair", "pairs") +
+        countText(turned, "pair", "pairs") +
         " of neighbouring triangles face opposite ways. Make the normals consistent");
   }
   const double thickness = area > 0.0 ? mesh.volume() / area : 0.0;
@@ -230,9 +231,9 @@ std::vector<std::string> problemsOf(const TriangleMesh& mesh) {
     problems.emplace_back("the mesh encloses nothing");
   }
   if (!problems.empty()) return problems;
-  if (const auto pairs = pairsThatCut(mesh); pairs > 0) {
+  if (const auto pairs = countIntersectingPairs(mesh); pairs > 0) {
     problems.push_back(
-        "the mesh cuts itself: " + counted(pairs, "pair", "pairs") +
+        "the mesh cuts itself: " + countText(pairs, "pair", "pairs") +
         " of triangles. Join its parts, or remesh it");
   }
   if (problems.empty() && !isOneBody(mesh)) {

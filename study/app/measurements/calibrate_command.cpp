@@ -31,7 +31,7 @@ struct CalibrateArguments {
   std::string name = "own-sensor";
   recordings::CalibrationColumns columns;
   int order = 3;
-  bool throughZero = false;
+  bool isThroughZero = false;
 };
 
 /// A calibration as text: "0.0123 + 0.0076665 r - 1.962e-06 r^2". A constant of 0 is left out.
@@ -50,7 +50,7 @@ std::string polynomialOf(const recordings::ForceCalibration& calibration) {
 }
 
 /// The residuals of polynomials of each order that the number of loads allows.
-DataTable orderTable(const recordings::CalibrationTable& table, bool throughZero) {
+DataTable orderTable(const recordings::CalibrationTable& table, bool isThroughZero) {
   DataTable orders{
       .name = "orders",
       .description = "Other orders, to compare with.",
@@ -61,7 +61,7 @@ DataTable orderTable(const recordings::CalibrationTable& table, bool throughZero
           {"largest_n", "largest residual [N]"}}};
   for (int order = 1; order <= recordings::kMostCalibrationOrder; ++order) {
     try {
-      const auto fit = recordings::fitCalibration(table, order, throughZero);
+      const auto fit = recordings::fitCalibration(table, order, isThroughZero);
       orders.rows.push_back({std::int64_t{order}, fit.rms, fit.standardError, fit.largest});
     } catch (const UserError&) {
       break;  // too few loads for this order and higher ones
@@ -95,7 +95,7 @@ void print(
         std::get<double>(row[2]),
         std::get<double>(row[3]));
   }
-  if (!fit.rises) {
+  if (!fit.isRising) {
     fmt::print(
         "\nWARNING: this curve falls somewhere between the lowest and the highest reading, so that "
         "more\nload would be less force. Choose a lower order, or leave out loads that saturate "
@@ -122,9 +122,9 @@ int calibrate(const CalibrateArguments& command) {
   const std::filesystem::path path(command.file);
   const auto table =
       recordings::readCalibrationTable(text, path.filename().string(), command.columns);
-  auto fit = recordings::fitCalibration(table, command.order, command.throughZero);
+  auto fit = recordings::fitCalibration(table, command.order, command.isThroughZero);
   fit.calibration.name = command.name;
-  const auto orders = orderTable(table, command.throughZero);
+  const auto orders = orderTable(table, command.isThroughZero);
   print(table, fit, orders);
   if (!command.out.empty()) {
     writeNewFile(
@@ -159,7 +159,7 @@ void addCalibrateCommand(CLI::App& parentCommand, Action& action) {
       ->capture_default_str();
   verb->add_flag(
       "--through-zero",
-      command.throughZero,
+      command.isThroughZero,
       "Fit without a constant term, so that a reading of 0 is 0 N, as in eq. (1) of the punch "
       "paper");
   verb->add_option(

@@ -128,9 +128,9 @@ DataTable errorTable(const std::vector<NamedCurve>& curves) {
          curve.curveName,
          static_cast<std::int64_t>(curve.curve->spline.nodes.size()),
          e.published,
-         kMillimetres * e.publishedAt,
+         kMillimetres * e.publishedPosition,
          e.floored,
-         kMillimetres * e.flooredAt,
+         kMillimetres * e.flooredPosition,
          e.largest,
          e.rms,
          e.rSquared});
@@ -346,11 +346,11 @@ report::DocumentPart splineComparisonPart(
         curve.floor,
         isForce ? "N" : "N·m",
         percent(spline.error.floored),
-        kMillimetres * spline.error.flooredAt,
-        there(spline.flooredErrorAtWorst, first.error.flooredAt),
+        kMillimetres * spline.error.flooredPosition,
+        there(spline.flooredErrorAtWorst, first.error.flooredPosition),
         percent(spline.error.published),
-        kMillimetres * spline.error.publishedAt,
-        there(spline.publishedErrorAtWorst, first.error.publishedAt),
+        kMillimetres * spline.error.publishedPosition,
+        there(spline.publishedErrorAtWorst, first.error.publishedPosition),
         spline.error.largest,
         isForce ? "N" : "N·m"));
   }

@@ -16,7 +16,8 @@ namespace recordings = haptics::recordings;
 
 /// The built-in calibration with this name, or the calibration in a file.
 recordings::ForceCalibration calibrationNamed(const std::string& name) {
-  for (const auto& known : {recordings::publishedCalibration(), recordings::recorder2021()}) {
+  for (const auto& known :
+       {recordings::publishedCalibration(), recordings::recorder2021Calibration()}) {
     if (known.name == name) return known;
   }
   if (std::filesystem::exists(name)) return readCalibrationFile(name);

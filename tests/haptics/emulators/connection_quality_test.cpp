@@ -109,7 +109,7 @@ TEST(ConnectionQuality, IsPoorIfAnswersTakeLongerThanAPeriod) {
 TEST(ConnectionQuality, ForgetsOnRequest) {
   ConnectionQuality quality;
   answer(quality, 100);
-  quality.forget();
+  quality.reset();
   EXPECT_EQ(quality.level(), Level::Poor);
   EXPECT_EQ(quality.measures().share, 0.0);
 }

@@ -134,7 +134,7 @@ TEST(Impairment, ServesEveryOrderOnceAndOneToAFrame) {
   const InjectedCounts injected = impairment.counts();
   for (std::size_t i = 0; i < kFaultNames.size(); ++i) {
     EXPECT_EQ(injected.of[i], 10 + i) << kFaultNames[i];
-    EXPECT_EQ(impairment.waiting(static_cast<Fault>(i)), 0);
+    EXPECT_EQ(impairment.pendingCount(static_cast<Fault>(i)), 0);
   }
   expectSeen(injected, receiver);
   EXPECT_EQ(impairment.held(), 0U);
@@ -197,7 +197,7 @@ TEST(Impairment, DelaysAFaultIfThereIsNoRoom) {
   impairment.schedule(Fault::Delay, kMost + 5);
   Receiver receiver(3000);
   passAll(impairment, receiver, 500);
-  EXPECT_EQ(impairment.waiting(Fault::Delay), 5);
+  EXPECT_EQ(impairment.pendingCount(Fault::Delay), 5);
   EXPECT_EQ(impairment.held(), Impairment::kMostHeld);
   EXPECT_EQ(receiver.order.size(), 500U - Impairment::kMostHeld);
 }
@@ -208,7 +208,7 @@ TEST(Impairment, ChangesNoFrameTwice) {
   Receiver receiver(1);
   impairment.passWithoutFault(frameOf(0), receiver);
   EXPECT_EQ(receiver.order.size(), 1U);
-  EXPECT_EQ(impairment.waiting(Fault::Drop), 1);
+  EXPECT_EQ(impairment.pendingCount(Fault::Drop), 1);
 }
 
 TEST(Impairment, SpoilsOneFrameOfASerialLineAndNotItsNeighbours) {
@@ -248,7 +248,7 @@ TEST(Impairment, PassesEmptyAndTooLongFramesUnchanged) {
   impairment.pass({}, send);
   impairment.pass(huge, send);
   EXPECT_EQ(sizes, (std::vector<std::size_t>{0, huge.size()}));
-  EXPECT_EQ(impairment.waiting(Fault::Drop), 2);
+  EXPECT_EQ(impairment.pendingCount(Fault::Drop), 2);
 }
 
 TEST(Impairment, AllocatesNothingWhenFramesPass) {

@@ -12,9 +12,9 @@
 namespace haptics::engine {
 namespace compiled_scene_test {
 
-bool isIn(const CompiledScene& scene, const std::string& name) {
+bool isInUse(const CompiledScene& scene, const std::string& name) {
   for (const auto& pass : scene.passes()) {
-    if (pass.name == name) return pass.isIn;
+    if (pass.name == name) return pass.isInUse;
   }
   ADD_FAILURE() << "no pass '" << name << "'";
   return false;
@@ -28,10 +28,10 @@ MaterialSpec bone(double hardness) {
 
 TEST(CompiledScene, HoldsNoFiniteElementsForInterpolationAlone) {
   const CompiledScene scene({.model = kCut});
-  EXPECT_TRUE(isIn(scene, "interpolation of the recorded cut"));
-  EXPECT_FALSE(isIn(scene, "finite elements: force"));
-  EXPECT_FALSE(isIn(scene, "finite elements: mesh"));
-  EXPECT_FALSE(isIn(scene, "Kalman filter"));
+  EXPECT_TRUE(isInUse(scene, "interpolation of the recorded cut"));
+  EXPECT_FALSE(isInUse(scene, "finite elements: force"));
+  EXPECT_FALSE(isInUse(scene, "finite elements: mesh"));
+  EXPECT_FALSE(isInUse(scene, "Kalman filter"));
 }
 
 TEST(CompiledScene, HasAMeshOnlyIfItIsVisualised) {

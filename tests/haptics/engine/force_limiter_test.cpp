@@ -47,7 +47,7 @@ TEST(ForceLimiter, HasNoForceForNaN) {
 }
 
 TEST(ForceLimiter, LimitsATorqueInSizeAndRate) {
-  auto limiter = ForceLimiter::ofTorque({.maxTorque = 2.0, .maxTorqueRate = 50.0});
+  auto limiter = ForceLimiter::forTorque({.maxTorque = 2.0, .maxTorqueRate = 50.0});
   double last = 0.0;
   for (int i = 0; i < 200; ++i) {
     const auto limited = limiter.limit(i < 100 ? 9.0 : -9.0, kDt);
@@ -66,8 +66,8 @@ TEST(ForceLimiter, RefusesLimitsThatAreNone) {
   EXPECT_THROW(ForceLimiter({.maxForce = -1.0}), std::invalid_argument);
   EXPECT_THROW(ForceLimiter({.maxForce = INFINITY}), std::invalid_argument);
   EXPECT_THROW(ForceLimiter({.maxRate = std::nan("")}), std::invalid_argument);
-  EXPECT_THROW(ForceLimiter::ofTorque({.maxTorque = 0.0}), std::invalid_argument);
-  EXPECT_THROW(ForceLimiter::ofTorque({.maxTorqueRate = INFINITY}), std::invalid_argument);
+  EXPECT_THROW(ForceLimiter::forTorque({.maxTorque = 0.0}), std::invalid_argument);
+  EXPECT_THROW(ForceLimiter::forTorque({.maxTorqueRate = INFINITY}), std::invalid_argument);
 }
 
 }  // namespace force_limiter_test

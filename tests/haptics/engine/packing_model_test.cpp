@@ -104,7 +104,7 @@ TEST(CompiledScene, KeepsOnlyThePartsOfABoneThatItNeeds) {
     std::string in;
     const CompiledScene compiled(scene);
     for (const auto& pass : compiled.passes()) {
-      if (pass.isIn) in += pass.name + "; ";
+      if (pass.isInUse) in += pass.name + "; ";
     }
     return in;
   };

@@ -284,7 +284,7 @@ TEST(CompiledScene, DescribesTheFeedLimitOfTheReamer) {
   const auto removalOf = [](const SceneSpec& scene) {
     const CompiledScene compiled(scene);
     for (const auto& pass : compiled.passes()) {
-      if (pass.name == "removal of bone") return (pass.isIn ? "in: " : "out: ") + pass.why;
+      if (pass.name == "removal of bone") return (pass.isInUse ? "in: " : "out: ") + pass.why;
     }
     return std::string();
   };

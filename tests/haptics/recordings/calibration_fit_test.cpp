@@ -66,7 +66,7 @@ TEST(CalibrationFit, GivesBackAPolynomialThatTheLoadsLieOn) {
   EXPECT_NEAR(fit.calibration.coefficients[2], -2e-4 * 9.81e-3, 1e-14);
   EXPECT_NEAR(fit.calibration.coefficients[3], 3e-7 * 9.81e-3, 1e-17);
   EXPECT_LT(fit.rms, 1e-12);
-  EXPECT_TRUE(fit.rises);
+  EXPECT_TRUE(fit.isRising);
   EXPECT_EQ(fit.calibration.lowest, 0.0);
   EXPECT_EQ(fit.calibration.highest, 1000.0);
 }
@@ -74,7 +74,7 @@ TEST(CalibrationFit, GivesBackAPolynomialThatTheLoadsLieOn) {
 TEST(CalibrationFit, SaysWhereMoreReadingWouldBeLessForce) {
   const CalibrationTable table{
       .source = "made", .readingUnit = "V", .points = {{0, 0}, {1, 2}, {2, 3}, {3, 2.5}, {4, 1}}};
-  EXPECT_FALSE(fitCalibration(table, 2, false).rises);
+  EXPECT_FALSE(fitCalibration(table, 2, false).isRising);
 }
 
 TEST(CalibrationFit, NeedsAsManyDifferentReadingsAsCoefficients) {

@@ -172,7 +172,8 @@ TEST(CutImport, IsNamedAfterItsFileByDefault) {
 
 TEST(CutImport, GivesSmallerForcesByTheRecordersOwnCalibration) {
   const double paper = importCut(made()).report.survey.maxForce;
-  const double recorder = importCut(made(), {.calibration = recorder2021()}).report.survey.maxForce;
+  const double recorder =
+      importCut(made(), {.calibration = recorder2021Calibration()}).report.survey.maxForce;
   EXPECT_LT(recorder, 0.9 * paper);
 }
 

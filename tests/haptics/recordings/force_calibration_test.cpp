@@ -12,8 +12,8 @@ TEST(ForceCalibration, IsEquationOneOfThePaper) {
 }
 
 TEST(ForceCalibration, KnowsTheRecordersOwnCubic) {
-  EXPECT_NEAR(forceOf(1023.0, recorder2021()), 7.36, 5e-3);
-  EXPECT_NEAR(forceOf(144.0, recorder2021()), 99.23 * 9.81e-3, 5e-5);
+  EXPECT_NEAR(forceOf(1023.0, recorder2021Calibration()), 7.36, 5e-3);
+  EXPECT_NEAR(forceOf(144.0, recorder2021Calibration()), 99.23 * 9.81e-3, 5e-5);
 }
 
 TEST(ForceCalibration, LeavesNewtonsAsTheyAre) {

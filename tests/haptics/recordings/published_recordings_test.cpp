@@ -165,7 +165,7 @@ TEST_P(PublishedRecording, HasItsOwnCubicInColumnTwo) {  // R7
   SKIP_WITHOUT_FETCHED_DATA(path());
   double largest = 0.0;
   for (const Recording::Row& row : readRecordingFile(tests::fetchedData(path())).rows) {
-    const double newtons = forceOf(row.reading, recorder2021());
+    const double newtons = forceOf(row.reading, recorder2021Calibration());
     largest = std::max(largest, std::abs(newtons / 9.81e-3 - row.grams));
   }
   EXPECT_LE(largest, 5.0e-3 + 1e-9);

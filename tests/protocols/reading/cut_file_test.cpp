@@ -72,7 +72,7 @@ TEST(CutFile, ReadsBackWhatWasImportedFromARecording) {
       {},
       {.closures = {1, 3}, .maxSlope = 1.0},
       {.rows = RowRange{150, 250}, .filter = TravelFilter{TravelFilter::Kind::None}},
-      {.closures = {2}, .calibration = recorder2021()}};
+      {.closures = {2}, .calibration = recorder2021Calibration()}};
   for (const auto& options : imports) {
     const auto written = importCut(recording, options).cut;
     const auto cut = read(cutAsJson(written, std::string(64, '0')));

@@ -191,7 +191,7 @@ TEST(SplineComparison, HasBothErrorsAndThoseAtTheSamePlace) {
   EXPECT_EQ(cubic.flooredErrorAtWorst, cubic.error.floored);
   EXPECT_EQ(cubic.publishedErrorAtWorst, cubic.error.published);
   EXPECT_NEAR(cubic.error.floored, nodes.error, 1e-9);
-  const double there = cubic.error.flooredAt;
+  const double there = cubic.error.flooredPosition;
   const auto at = std::lower_bound(curve.x.begin(), curve.x.end(), there) - curve.x.begin();
   const double v = curve.y[static_cast<std::size_t>(at)];
   EXPECT_NEAR(

@@ -120,7 +120,7 @@ TEST(ApproximationError, DistinguishesThePapersErrorFromOneDefinedAtZeroForce) {
   const auto spline = through(curve, 10, SplineKind::Linear);
   const auto error = errorOf(curve, spline, 0.5);
   EXPECT_GT(error.published, 1e6);
-  EXPECT_EQ(error.publishedAt, curve.x[3]);
+  EXPECT_EQ(error.publishedPosition, curve.x[3]);
   EXPECT_LT(error.floored, 3.0);
   EXPECT_LE(error.rms, error.largest);
   EXPECT_LT(error.rSquared, 1.0);

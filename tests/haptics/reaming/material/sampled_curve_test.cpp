@@ -39,8 +39,8 @@ TEST(SampledCurve, NormalisedHasSharesOfItsOwnEnd) {
 }
 
 TEST(SampledCurve, EndsWithTheMeanOfItsLastSamples) {
-  EXPECT_NEAR(endOf(ramp(), 0.0), 6.0, 1e-12);
-  EXPECT_NEAR(endOf(ramp(), 0.0041), (6.0 + 5.994 + 5.988) / 3.0, 1e-12);
+  EXPECT_NEAR(endValueOf(ramp(), 0.0), 6.0, 1e-12);
+  EXPECT_NEAR(endValueOf(ramp(), 0.0041), (6.0 + 5.994 + 5.988) / 3.0, 1e-12);
 }
 
 }  // namespace sampled_curve_test
