@@ -19,7 +19,7 @@ bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-std::string pseudo(std::string_view pattern) {
+std::string pseudoTranslated(std::string_view pattern) {
   std::string text(pattern);
   // Each new letter depends on all letters before it. A pattern always gives the same text.
   std::uint64_t state = 0x9e3779b97f4a7c15U * (pattern.size() + 1);
@@ -37,7 +37,7 @@ std::string pseudo(std::string_view pattern) {
 }  // namespace
 
 std::string shown(std::string_view pattern) {
-  return isPseudoLanguage() ? pseudo(pattern) : std::string(pattern);
+  return isPseudoLanguage() ? pseudoTranslated(pattern) : std::string(pattern);
 }
 
 std::string filled(std::string_view pattern, const std::vector<Argument>& arguments) {

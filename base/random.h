@@ -32,8 +32,8 @@ class SplitMix64 {
   /// A number in [0, 1), a multiple of 2⁻⁵³.
   double uniform() noexcept { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
 
-  /// A normally distributed number with mean 0 and standard deviation 1 (Box & Muller 1958, the
-  /// first of each pair).
+  /// A normally distributed number with mean 0 and standard deviation 1: the first number of each
+  /// pair that the method of Box & Muller 1958 gives.
   double normal() noexcept {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
     return radius * std::cos(2.0 * std::numbers::pi * uniform());

@@ -15,10 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 using questionnaires::Problems;
 
-constexpr std::string_view kProtocolEnding = ".json";
-constexpr std::string_view kSchemaEnding = ".schema.json";
+constexpr std::string_view kProtocolExtension = ".json";
+constexpr std::string_view kSchemaExtension = ".schema.json";
 
-/// Adds @p found to @p problems; without its warnings if it has errors.
+/// Adds @p found to @p problems. If @p found has errors, its warnings are left out.
 void append(const Problems& found, Problems& problems) {
   if (!found.hasErrors()) return problems.append(found);
   for (const auto& problem : found.all()) {
@@ -27,7 +27,7 @@ void append(const Problems& found, Problems& problems) {
 }
 
 /// The largest size of a file with this name [bytes].
-std::size_t largestOf(const std::string& name) {
+std::size_t largestFileSizeOf(const std::string& name) {
   if (name.ends_with(kPackingExtension)) return kMaxPackingBytes;
   return name.ends_with(kAnatomyExtension) ? kMaxAnatomyBytes : questionnaires::kLargestFile;
 }
@@ -53,15 +53,15 @@ std::optional<LoadedProtocol> load(
 std::vector<std::string> libraryProtocols() {
   std::vector<std::string> names;
   for (const auto& file : libraryFiles()) {
-    if (file.name.ends_with(kSchemaEnding) || !file.name.ends_with(kProtocolEnding)) continue;
-    names.emplace_back(file.name.substr(0, file.name.size() - kProtocolEnding.size()));
+    if (file.name.ends_with(kSchemaExtension) || !file.name.ends_with(kProtocolExtension)) continue;
+    names.emplace_back(file.name.substr(0, file.name.size() - kProtocolExtension.size()));
   }
   return names;
 }
 
 std::optional<std::string_view> libraryProtocol(std::string_view name) {
   for (const auto& file : libraryFiles()) {
-    if (file.name == std::string(name) + std::string(kProtocolEnding)) return file.content;
+    if (file.name == std::string(name) + std::string(kProtocolExtension)) return file.content;
   }
   return std::nullopt;
 }
@@ -103,8 +103,8 @@ std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& pro
   std::error_code ignored;
   // a folder, such as that of a study, may have the name of a protocol in the library
   const bool isFile = fs::is_regular_file(path, ignored);
-  const bool hasEnding = path.ends_with(kProtocolEnding);
-  const auto name = hasEnding ? path.substr(0, path.size() - kProtocolEnding.size()) : path;
+  const bool hasEnding = path.ends_with(kProtocolExtension);
+  const auto name = hasEnding ? path.substr(0, path.size() - kProtocolExtension.size()) : path;
   if (const auto text = isFile ? std::nullopt : libraryProtocol(name)) {
     return loadProtocol(
         *text, [](const std::string&) { return std::nullopt; }, problems);
@@ -117,18 +117,18 @@ std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& pro
         "library.");
   }
   const auto folder = fs::path(path).parent_path();
-  const auto beside = [&](const std::string& other) -> std::optional<std::string> {
+  const auto findBeside = [&](const std::string& other) -> std::optional<std::string> {
     const auto file = folder / other;
     std::error_code absent;
     if (!fs::exists(file, absent)) return std::nullopt;
-    // The text is stored in the study, and exported with it: a protocol from elsewhere must not
-    // choose which files of this computer those are.
+    // The file's text is stored in the study, and exported with it. A protocol from elsewhere must
+    // not be able to choose any file of this computer for that.
     if (!isInside(file, folder.empty() ? "." : folder)) {
       throw base::UserError(
           "It is a link to a file outside the protocol's folder. Put a copy of that file in place "
           "of the link.");
     }
-    return questionnaires::readTextFile(file.string(), largestOf(other));
+    return questionnaires::readTextFile(file.string(), largestFileSizeOf(other));
   };
   const auto text = questionnaires::readTextFile(path);
   if (fs::path(path).extension() == ".csv") {
@@ -138,7 +138,7 @@ std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& pro
         "import it as a cut, and name that as the 'cut' of a condition in a protocol");
     return std::nullopt;
   }
-  return loadProtocol(text, beside, problems);
+  return loadProtocol(text, findBeside, problems);
 }
 
 }  // namespace

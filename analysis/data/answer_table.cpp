@@ -5,7 +5,7 @@
 #include <numeric>
 
 namespace analysis {
-int AnswerTable::aboveMiddle() const {
+int AnswerTable::lowestPointAboveMiddle() const {
   return static_cast<int>(std::floor(std::midpoint<double>(lowest, highest))) + 1;
 }
 

@@ -36,7 +36,7 @@ struct AnswerTable {
 
   /// The lowest point above the middle of the scale: 4 of 1 … 5.
   /// @pre isPointScale
-  int aboveMiddle() const;
+  int lowestPointAboveMiddle() const;
 
   /// All answers about a method, of all participants.
   AnswerSample sampleOf(std::size_t method) const;

@@ -22,11 +22,11 @@ std::string listed(const std::vector<std::string>& problems) {
   return text;
 }
 
-std::string onLine(std::size_t line) {
+std::string linePhrase(std::size_t line) {
   return "line " + std::to_string(line) + ": ";
 }
 
-std::string counted(std::size_t number, const std::string& what) {
+std::string countPhrase(std::size_t number, const std::string& what) {
   return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
 }
 
@@ -40,36 +40,37 @@ class CsvScanner {
   CsvRow row() {
     CsvRow row{.line = line_, .cells = {}};
     row.cells.push_back(cell());
-    while (takes(separator_)) row.cells.push_back(cell());
+    while (consumeIf(separator_)) row.cells.push_back(cell());
     endLine();
     return row;
   }
 
  private:
-  std::string cell() { return takes('"') ? quotedCell() : plainCell(); }
+  std::string cell() { return consumeIf('"') ? readQuotedCell() : readPlainCell(); }
 
-  std::string plainCell() {
-    const std::string_view cell = rest_.substr(0, rest_.find_first_of(ends_));
+  std::string readPlainCell() {
+    const std::string_view cell = rest_.substr(0, rest_.find_first_of(cellEnds_));
     rest_.remove_prefix(cell.size());
     return std::string(base::trimmed(cell));
   }
 
-  std::string quotedCell() {
+  std::string readQuotedCell() {
     const std::size_t opened = line_;
     std::string cell;
     for (;;) {
       const auto quote = rest_.find('"');
       if (quote == std::string_view::npos) {
-        throw base::UserError(onLine(opened) + "a quotation mark is opened here and never closed");
+        throw base::UserError(
+            linePhrase(opened) + "a quotation mark is opened here and never closed");
       }
-      cell += passed(quote);
+      cell += consume(quote);
       rest_.remove_prefix(1);
-      if (!takes('"')) break;
+      if (!consumeIf('"')) break;
       cell += '"';
     }
-    if (!rest_.empty() && ends_.find(rest_.front()) == std::string::npos) {
+    if (!rest_.empty() && cellEnds_.find(rest_.front()) == std::string::npos) {
       throw base::UserError(
-          onLine(line_) +
+          linePhrase(line_) +
           "there is text after a closing quotation mark; within quotation marks, write \"\" for "
           "\"");
     }
@@ -77,7 +78,7 @@ class CsvScanner {
   }
 
   /// Consumes and returns the next @p length characters, and counts their line ends.
-  std::string_view passed(std::size_t length) {
+  std::string_view consume(std::size_t length) {
     const std::string_view text = rest_.substr(0, length);
     for (std::size_t i = 0; i < length; ++i) {
       const bool isPair = text[i] == '\r' && i + 1 < length && text[i + 1] == '\n';
@@ -88,12 +89,12 @@ class CsvScanner {
   }
 
   void endLine() {
-    takes('\r');
-    takes('\n');
+    consumeIf('\r');
+    consumeIf('\n');
     ++line_;
   }
 
-  bool takes(char character) {
+  bool consumeIf(char character) {
     const bool isThere = rest_.starts_with(character);
     if (isThere) rest_.remove_prefix(1);
     return isThere;
@@ -101,7 +102,7 @@ class CsvScanner {
 
   std::string_view rest_;
   char separator_;
-  std::string ends_ = std::string("\r\n") + separator_;
+  std::string cellEnds_ = std::string("\r\n") + separator_;
   std::size_t line_ = 1;
 };
 
@@ -119,8 +120,8 @@ char separatorOf(std::string_view text) {
     if (character == '"') isQuoted = !isQuoted;
     if (isQuoted) continue;
     if (character == '\r' || character == '\n') break;
-    const auto which = kSeparators.find(character);
-    if (which != std::string_view::npos) ++counts[which];
+    const auto separatorIndex = kSeparators.find(character);
+    if (separatorIndex != std::string_view::npos) ++counts[separatorIndex];
   }
   return kSeparators[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
 }
@@ -163,8 +164,8 @@ CsvTable readCsv(std::string_view text) {
       table.rows.push_back(std::move(row));
     } else {
       problems.push_back(
-          "line " + std::to_string(row.line) + " has " + counted(row.cells.size(), "cell") +
-          ", and the header has " + counted(table.columns.size(), "column"));
+          "line " + std::to_string(row.line) + " has " + countPhrase(row.cells.size(), "cell") +
+          ", and the header has " + countPhrase(table.columns.size(), "column"));
     }
   }
   if (table.columns.empty()) throw base::UserError("the file is empty");

@@ -43,8 +43,8 @@ struct CsvTable {
 ///     first ten such rows.
 CsvTable readCsv(std::string_view text);
 
-/// The name that @p meant is most probably a misspelling of: the one with the smallest edit
-/// distance (Levenshtein 1966), ignoring case; the first one if several are equally near.
+/// The name in @p names of which @p meant is most probably a misspelling: the name with the
+/// smallest edit distance to it (Levenshtein 1966), ignoring case; the first such name of several.
 ///
 /// @param names  must not be empty.
 std::string nearestName(std::string_view meant, std::span<const std::string> names);

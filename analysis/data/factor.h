@@ -7,8 +7,8 @@
 
 namespace analysis {
 
-/// What answers are grouped by: the method, the round, the participant. Levels without an answer
-/// are not listed.
+/// A property by which answers are grouped, such as the method, the round or the participant.
+/// Levels without an answer are not listed.
 struct Factor {
   std::string name;
   std::vector<std::string> levels;  ///< distinct; the first is the reference level of a comparison

@@ -10,7 +10,7 @@
 namespace analysis {
 namespace {
 
-std::size_t pointsOf(int lowest, std::int64_t points) {
+std::size_t checkedPointCount(int lowest, std::int64_t points) {
   constexpr int kLargestPoint = 1'000'000;
   if (points < 2 || points > LikertCounts::kMostPoints) {
     throw std::invalid_argument(
@@ -24,13 +24,13 @@ std::size_t pointsOf(int lowest, std::int64_t points) {
 }
 
 /// The uniform distribution over a run of points.
-struct Run {
+struct UniformRun {
   double mean = 0.0;
   double square = 0.0;  ///< mean of the squares
 };
 
-Run runOf(int first, int last) {
-  Run run;
+UniformRun uniformRunOf(int first, int last) {
+  UniformRun run;
   for (int point = first; point <= last; ++point) {
     run.mean += point;
     run.square += static_cast<double>(point) * point;
@@ -39,16 +39,16 @@ Run runOf(int first, int last) {
   return {.mean = run.mean / points, .square = run.square / points};
 }
 
-std::vector<Run> intervalsContaining(int peak, int lowest, int highest) {
-  std::vector<Run> runs;
+std::vector<UniformRun> runsContaining(int peak, int lowest, int highest) {
+  std::vector<UniformRun> runs;
   for (int first = lowest; first <= peak; ++first) {
-    for (int last = peak; last <= highest; ++last) runs.push_back(runOf(first, last));
+    for (int last = peak; last <= highest; ++last) runs.push_back(uniformRunOf(first, last));
   }
   return runs;
 }
 
 /// The largest second moment of a mixture of two of @p runs with the mean @p mean.
-double largestSquare(const std::vector<Run>& runs, double mean) {
+double largestSquare(const std::vector<UniformRun>& runs, double mean) {
   double largest = 0.0;
   for (const auto& below : runs) {
     if (below.mean > mean) continue;
@@ -65,10 +65,10 @@ double largestSquare(const std::vector<Run>& runs, double mean) {
 }  // namespace
 
 LikertCounts::LikertCounts(int lowest, int highest)
-    : lowest_(lowest), counts_(pointsOf(lowest, std::int64_t{highest} - lowest + 1), 0) {}
+    : lowest_(lowest), counts_(checkedPointCount(lowest, std::int64_t{highest} - lowest + 1), 0) {}
 
 LikertCounts::LikertCounts(int lowest, std::span<const std::uint64_t> counts)
-    : lowest_(lowest), counts_(pointsOf(lowest, std::ssize(counts)), 0) {
+    : lowest_(lowest), counts_(checkedPointCount(lowest, std::ssize(counts)), 0) {
   for (std::size_t i = 0; i < counts.size(); ++i) add(lowest + static_cast<int>(i), counts[i]);
 }
 
@@ -101,7 +101,7 @@ double largestUnimodalVariance(int lowest, int highest, double mean) {
   const double centred = mean - lowest;
   double largest = 0.0;
   for (int peak = 0; peak < points; ++peak) {
-    const auto runs = intervalsContaining(peak, 0, points - 1);
+    const auto runs = runsContaining(peak, 0, points - 1);
     largest = std::max(largest, largestSquare(runs, centred) - centred * centred);
   }
   return largest;

@@ -53,14 +53,14 @@ Moments momentsOf(std::span<const double> values) {
   if (values.size() < 2) return moments;
 
   // Without rounding the residuals add up to zero; their actual sum corrects the squares.
-  DoubleDouble rests;
+  DoubleDouble residualSum;
   DoubleDouble squares;
   for (const double value : values) {
     const DoubleDouble rest = DoubleDouble::difference(value * unit, pivot) - shift;
-    rests = rests + rest;
+    residualSum = residualSum + rest;
     squares = squares + rest * rest;
   }
-  moments.variance = (squares - rests * rests / n) / (n - 1.0);
+  moments.variance = (squares - residualSum * residualSum / n) / (n - 1.0);
   return moments;
 }
 

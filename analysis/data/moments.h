@@ -20,7 +20,7 @@ struct Moments {
   DoubleDouble mean;      ///< [2^exponent]; 0 for n = 0
   DoubleDouble variance;  ///< [4^exponent], divided by n − 1; 0 for n < 2
 
-  /// All values are equal.
+  /// Whether all values are equal.
   bool isConstant() const noexcept { return variance.isZero(); }
 };
 

@@ -29,14 +29,14 @@ struct TiedValue {
 /// each occurs.
 struct TiedGroups {
   /// The largest size of a group for which every sum of squared ranks fits into 128 bits.
-  static constexpr std::uint64_t kMostInAGroup = std::uint64_t{1} << 24;
+  static constexpr std::uint64_t kLargestGroup = std::uint64_t{1} << 24;
 
   std::uint64_t n1 = 0;
   std::uint64_t n2 = 0;
   std::vector<TiedValue> values;  ///< from the smallest to the largest; each occurs at least once
 
   bool areTooLargeForExactRanks() const noexcept {
-    return n1 > kMostInAGroup || n2 > kMostInAGroup;
+    return n1 > kLargestGroup || n2 > kLargestGroup;
   }
   bool isEmpty() const noexcept { return n1 == 0 || n2 == 0; }
 };

@@ -26,7 +26,7 @@ double unitOf(std::span<const std::vector<double>> table) {
   return std::ldexp(1.0, -std::max(exponent, kSmallest));
 }
 
-double number(std::size_t count) {
+double asDouble(std::size_t count) {
   return static_cast<double>(count);
 }
 
@@ -61,19 +61,19 @@ DoubleDouble squaresOf(
 }  // namespace
 
 DoubleDouble TwoWayLayout::rowMeanSquare() const {
-  return rowSquares / number(rows - 1);
+  return rowSquares / asDouble(rows - 1);
 }
 
 DoubleDouble TwoWayLayout::columnMeanSquare() const {
-  return columnSquares / number(columns - 1);
+  return columnSquares / asDouble(columns - 1);
 }
 
 DoubleDouble TwoWayLayout::residualMeanSquare() const {
-  return residualSquares / number((rows - 1) * (columns - 1));
+  return residualSquares / asDouble((rows - 1) * (columns - 1));
 }
 
 DoubleDouble TwoWayLayout::withinMeanSquare() const {
-  return (columnSquares + residualSquares) / number(rows * (columns - 1));
+  return (columnSquares + residualSquares) / asDouble(rows * (columns - 1));
 }
 
 TwoWayLayout twoWayLayout(std::span<const std::vector<double>> table) {
@@ -83,8 +83,8 @@ TwoWayLayout twoWayLayout(std::span<const std::vector<double>> table) {
   if (layout.rows == 0 || layout.columns == 0) return layout;
 
   const Table shifted = shiftedValues(table);
-  const double rows = number(layout.rows);
-  const double columns = number(layout.columns);
+  const double rows = asDouble(layout.rows);
+  const double columns = asDouble(layout.columns);
   std::vector<DoubleDouble> rowSums(layout.rows);
   std::vector<DoubleDouble> columnSums(layout.columns);
   DoubleDouble total;

@@ -21,7 +21,7 @@ struct TwoWayLayout {
   DoubleDouble rowSquares;
   DoubleDouble columnSquares;
   DoubleDouble residualSquares;
-  /// Of the additive model, row by row, multiplied by rows · columns.
+  /// The residuals of the additive model, row by row, multiplied by rows · columns.
   std::vector<DoubleDouble> residuals;
 
   /// Mean squares, in the units of the sums of squares. @pre at least two rows and two columns.

@@ -49,13 +49,13 @@ std::vector<VoteShare> VoteCounts::shares() const {
 
 namespace {
 
-void require(std::uint64_t votes, std::uint64_t total, double level) {
+void requireValidShare(std::uint64_t votes, std::uint64_t total, double level) {
   if (votes > total) throw std::invalid_argument("there are more votes for one option than votes");
   requireConfidenceLevel(level);
 }
 
 /// The upper end of Wilson's interval.
-double wilsonHigh(double share, double n, double z) {
+double wilsonUpperEnd(double share, double n, double z) {
   const double half = z * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
   return std::min(1.0, (share + z * z / (2.0 * n) + half) / (1.0 + z * z / n));
 }
@@ -63,20 +63,21 @@ double wilsonHigh(double share, double n, double z) {
 }  // namespace
 
 std::optional<Interval> wilsonInterval(std::uint64_t votes, std::uint64_t total, double level) {
-  require(votes, total, level);
+  requireValidShare(votes, total, level);
   if (total == 0) return std::nullopt;
   const auto n = static_cast<double>(total);
   const double share = static_cast<double>(votes) / n;
   const double z = normalTwoSidedQuantile(level);
-  const double high = wilsonHigh(share, n, z);
-  // low · high = s² / (1 + z²/n), which does not cancel where the share is small
+  const double high = wilsonUpperEnd(share, n, z);
+  // Because low · high = s² / (1 + z²/n), the lower end is computed without a difference, which
+  // would lose digits where the share is small.
   const double low = share * share / (1.0 + z * z / n) / high;
   return Interval{.low = low, .high = votes == total ? 1.0 : high};
 }
 
 std::optional<Interval> clopperPearsonInterval(
     std::uint64_t votes, std::uint64_t total, double level) {
-  require(votes, total, level);
+  requireValidShare(votes, total, level);
   if (total == 0) return std::nullopt;
   const auto v = static_cast<double>(votes);
   const auto against = static_cast<double>(total - votes);

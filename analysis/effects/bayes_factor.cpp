@@ -45,24 +45,25 @@ struct Support {
 
 /// Searches in steps of 1/8 of u for the peak, and from either end for the first value that is not
 /// negligible compared with the peak.
-Support supportOf(const LogIntegrand& logIntegrand, double farthest) {
+Support supportOf(const LogIntegrand& logIntegrand, double farthestU) {
   constexpr double kStep = 0.125;
   constexpr double kNegligible = 45.0;  // e^−45 = 3e-20
   // At u = −8 the prior's factor e^(−1/(2g)) is e^(−e^8 / 2) = 1e-647.
-  constexpr double kNearest = -8.0;
-  Support support{.low = kNearest, .high = farthest, .peak = logIntegrand(kNearest)};
-  for (double u = kNearest; u < farthest; u += kStep) {
+  constexpr double kLowestU = -8.0;
+  Support support{.low = kLowestU, .high = farthestU, .peak = logIntegrand(kLowestU)};
+  for (double u = kLowestU; u < farthestU; u += kStep) {
     support.peak = std::max(support.peak, logIntegrand(u));
   }
   const double floor = support.peak - kNegligible;
-  while (support.low < farthest && logIntegrand(support.low) < floor) support.low += kStep;
+  while (support.low < farthestU && logIntegrand(support.low) < floor) support.low += kStep;
   while (support.high > support.low && logIntegrand(support.high) < floor) support.high -= kStep;
   support.low -= kStep;
   support.high += kStep;
   return support;
 }
 
-void check(double t, double degreesOfFreedom, double effectiveN, double priorScale) {
+void requireValidArguments(
+    double t, double degreesOfFreedom, double effectiveN, double priorScale) {
   const auto isPositive = [](double number) { return number > 0.0 && std::isfinite(number); };
   if (!std::isfinite(t)) throw std::invalid_argument("a Bayes factor needs a finite t");
   if (!isPositive(degreesOfFreedom) || !isPositive(effectiveN) || !isPositive(priorScale)) {
@@ -71,7 +72,7 @@ void check(double t, double degreesOfFreedom, double effectiveN, double priorSca
   }
 }
 
-BayesFactor undefined(double priorScale, Reason why) {
+BayesFactor undefinedBayesFactor(double priorScale, Reason why) {
   BayesFactor result;
   result.priorScale = priorScale;
   result.reason = std::move(why);
@@ -82,15 +83,15 @@ BayesFactor undefined(double priorScale, Reason why) {
 
 BayesFactor jzsBayesFactor(
     double t, double degreesOfFreedom, double effectiveN, double priorScale) {
-  check(t, degreesOfFreedom, effectiveN, priorScale);
+  requireValidArguments(t, degreesOfFreedom, effectiveN, priorScale);
   constexpr double kLargestT = 1e100;
-  if (std::abs(t) > kLargestT) return undefined(priorScale, reason("beyond_1e100"));
+  if (std::abs(t) > kLargestT) return undefinedBayesFactor(priorScale, reason("beyond_1e100"));
 
   const LogIntegrand logIntegrand(t, degreesOfFreedom, effectiveN, priorScale);
-  constexpr double kTail = 60.0;  // beyond the peak, the integrand falls at least as e^(−u)
-  const double farthest = kTail + 2.0 * std::log1p(std::abs(t)) +
-                          2.0 * std::abs(std::log(priorScale)) + std::abs(std::log(effectiveN));
-  const Support support = supportOf(logIntegrand, farthest);
+  constexpr double kTailLength = 60.0;  // beyond the peak, the integrand falls at least as e^(−u)
+  const double farthestU = kTailLength + 2.0 * std::log1p(std::abs(t)) +
+                           2.0 * std::abs(std::log(priorScale)) + std::abs(std::log(effectiveN));
+  const Support support = supportOf(logIntegrand, farthestU);
 
   // The trapezoidal rule converges exponentially, because the integrand vanishes smoothly at both
   // ends.
@@ -116,7 +117,7 @@ BayesFactor jzsBayesFactor(
 BayesFactor jzsBayesFactor(
     const StudentResult& test, std::uint64_t n1, std::uint64_t n2, double priorScale) {
   if (!test.t || !test.degreesOfFreedom || !std::isfinite(*test.t)) {
-    return undefined(priorScale, reason("students_t_undefined"));
+    return undefinedBayesFactor(priorScale, reason("students_t_undefined"));
   }
   const auto first = static_cast<double>(n1);
   const auto second = static_cast<double>(n2);
@@ -125,7 +126,7 @@ BayesFactor jzsBayesFactor(
 }
 
 BayesFactor jzsBayesFactor(const PairedTResult& test, double priorScale) {
-  if (!test.t || !test.degreesOfFreedom) return undefined(priorScale, test.reason);
+  if (!test.t || !test.degreesOfFreedom) return undefinedBayesFactor(priorScale, test.reason);
   return jzsBayesFactor(*test.t, *test.degreesOfFreedom, static_cast<double>(test.n), priorScale);
 }
 

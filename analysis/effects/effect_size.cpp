@@ -19,7 +19,7 @@ namespace analysis {
 namespace {
 
 /// difference / standard deviation; std::nullopt for a variance of zero, or beyond a double.
-std::optional<double> ratio(const Contrast& contrast, const DoubleDouble& variance) {
+std::optional<double> ratioToDeviation(const Contrast& contrast, const DoubleDouble& variance) {
   if (variance.isZero()) return std::nullopt;
   const double effect = tOf(contrast, squareRoot(variance));
   return std::isfinite(effect) ? std::optional(effect) : std::nullopt;
@@ -45,10 +45,10 @@ EffectSize corrected(const EffectSize& effect, const std::optional<double>& corr
   return result;
 }
 
-void addPooled(MeanEffects& effects, const Contrast& contrast, double n1, double n2) {
+void addPooledEffects(MeanEffects& effects, const Contrast& contrast, double n1, double n2) {
   const double degreesOfFreedom = n1 + n2 - 2.0;
   const DoubleDouble squares = contrast.variance1 * (n1 - 1.0) + contrast.variance2 * (n2 - 1.0);
-  effects.cohenD.value = ratio(contrast, squares / degreesOfFreedom);
+  effects.cohenD.value = ratioToDeviation(contrast, squares / degreesOfFreedom);
   effects.hedgesJ = hedgesCorrection(degreesOfFreedom);
   if (effects.cohenD.value) {
     const double root = std::sqrt(1.0 / n1 + 1.0 / n2);
@@ -58,16 +58,16 @@ void addPooled(MeanEffects& effects, const Contrast& contrast, double n1, double
   effects.hedgesG = corrected(effects.cohenD, effects.hedgesJ);
 }
 
-void addAverage(
+void addAverageEffects(
     MeanEffects& effects,
     const Contrast& contrast,
     const WelchResult& welch,
     double n1,
     double n2) {
   const DoubleDouble sum = contrast.variance1 + contrast.variance2;
-  effects.cohenDAv.value = ratio(contrast, sum / 2.0);
-  effects.glassDelta1 = ratio(contrast, contrast.variance1);
-  effects.glassDelta2 = ratio(contrast, contrast.variance2);
+  effects.cohenDAv.value = ratioToDeviation(contrast, sum / 2.0);
+  effects.glassDelta1 = ratioToDeviation(contrast, contrast.variance1);
+  effects.glassDelta2 = ratioToDeviation(contrast, contrast.variance2);
   if (!sum.isZero()) {
     const double z = tOf(contrast, squareRoot(sum));
     effects.commonLanguageEffectSize = normalUpperP(-z);
@@ -121,9 +121,9 @@ MeanEffects effectSizes(
   const auto n1 = static_cast<double>(group1.n);
   const auto n2 = static_cast<double>(group2.n);
   if (group1.n > 0 && group2.n > 0 && group1.n + group2.n > 2) {
-    addPooled(effects, contrast, n1, n2);
+    addPooledEffects(effects, contrast, n1, n2);
   }
-  if (group1.n > 1 && group2.n > 1) addAverage(effects, contrast, welch, n1, n2);
+  if (group1.n > 1 && group2.n > 1) addAverageEffects(effects, contrast, welch, n1, n2);
   effects.reason = whyMissing(effects, welch);
   return effects;
 }
@@ -151,43 +151,50 @@ namespace {
 /// The unbiased variance of δ, computed in whole numbers: with Pᵢ and Qⱼ the doubled placements,
 ///
 ///     (Σ(P − P̄)² + Σ(Q − Q̄)² − Σ(sign − δ)²) / (n₁n₂ (n₁ − 1)(n₂ − 1)).
-DoubleDouble unbiasedVariance(const TiedGroups& groups, const Placements& places) {
+DoubleDouble unbiasedVariance(const TiedGroups& groups, const Placements& placements) {
   const auto n1 = static_cast<Int128>(groups.n1);
   const auto n2 = static_cast<Int128>(groups.n2);
   const Int128 pairs = n1 * n2;
-  const Int128 excess = places.sum1 - pairs;
-  const Int128 numerator = pairs * (places.squares1 + places.squares2 - pairs + places.equalPairs) -
-                           n2 * places.sum1 * places.sum1 - n1 * places.sum2 * places.sum2 +
-                           excess * excess;
+  const Int128 excess = placements.sum1 - pairs;
+  const Int128 numerator =
+      pairs * (placements.squares1 + placements.squares2 - pairs + placements.equalPairs) -
+      n2 * placements.sum1 * placements.sum1 - n1 * placements.sum2 * placements.sum2 +
+      excess * excess;
   return exactQuotient(numerator, pairs) / exactQuotient(pairs, 1) /
          exactQuotient((n1 - 1) * (n2 - 1), 1);
 }
 
 Interval fengCliffInterval(
-    const DoubleDouble& delta, const DoubleDouble& rest, const DoubleDouble& variance, double z) {
+    const DoubleDouble& delta,
+    const DoubleDouble& oneMinusSquare,
+    const DoubleDouble& variance,
+    double z) {
   const DoubleDouble reach = variance * z * z;
-  const DoubleDouble middle = delta * rest;
-  const DoubleDouble radius = squareRoot(reach * (rest * rest + reach));
-  const DoubleDouble under = rest + reach;
-  return {.low = ((middle - radius) / under).high, .high = ((middle + radius) / under).high};
+  const DoubleDouble middle = delta * oneMinusSquare;
+  const DoubleDouble radius = squareRoot(reach * (oneMinusSquare * oneMinusSquare + reach));
+  const DoubleDouble denominator = oneMinusSquare + reach;
+  return {
+      .low = ((middle - radius) / denominator).high,
+      .high = ((middle + radius) / denominator).high};
 }
 
-void addSpread(CliffDelta& result, const TiedGroups& groups, const Placements& places, double z) {
+void addVarianceAndInterval(
+    CliffDelta& result, const TiedGroups& groups, const Placements& placements, double z) {
   const auto pairs = static_cast<Int128>(groups.n1) * static_cast<Int128>(groups.n2);
-  const Int128 excess = places.sum1 - pairs;
-  const DoubleDouble variance = unbiasedVariance(groups, places);
+  const Int128 excess = placements.sum1 - pairs;
+  const DoubleDouble variance = unbiasedVariance(groups, placements);
   result.variance = variance.high;
   if (excess == pairs || excess == -pairs) {
     result.reason = reason("no_overlap_no_interval");
     return;
   }
   // 1 − δ², without cancellation
-  const DoubleDouble rest =
+  const DoubleDouble oneMinusSquare =
       exactQuotient(pairs - excess, pairs) * exactQuotient(pairs + excess, pairs);
-  const DoubleDouble least = rest / exactQuotient(pairs - 1, 1);
+  const DoubleDouble least = oneMinusSquare / exactQuotient(pairs - 1, 1);
   const bool isLess = (variance - least).high < 0.0;
   result.interval =
-      fengCliffInterval(exactQuotient(excess, pairs), rest, isLess ? least : variance, z);
+      fengCliffInterval(exactQuotient(excess, pairs), oneMinusSquare, isLess ? least : variance, z);
 }
 
 constexpr std::size_t kMostDifferences = 4000;  // eight million averages
@@ -220,14 +227,14 @@ CliffDelta cliffDelta(const TiedGroups& groups, double level) {
     result.reason = groups.isEmpty() ? reason("a_group_is_empty") : reason("groups_too_large");
     return result;
   }
-  const Placements places = placementsOf(groups);
+  const Placements placements = placementsOf(groups);
   const auto pairs = static_cast<Int128>(groups.n1) * static_cast<Int128>(groups.n2);
-  result.delta = exactQuotient(places.sum1 - pairs, pairs).high;
+  result.delta = exactQuotient(placements.sum1 - pairs, pairs).high;
   if (groups.n1 < 2 || groups.n2 < 2) {
     result.reason = reason("two_values_needed");
     return result;
   }
-  addSpread(result, groups, places, z);
+  addVarianceAndInterval(result, groups, placements, z);
   return result;
 }
 

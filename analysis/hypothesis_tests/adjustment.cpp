@@ -8,12 +8,13 @@
 namespace analysis {
 namespace {
 
-using Sorted = std::vector<double>;  // from the smallest to the largest
+using SortedPValues = std::vector<double>;  // from the smallest to the largest
 
-/// The adjusted i-th smallest of m p values, before monotonicity is enforced.
+/// Computes the adjusted value of the i-th smallest of m p values, before the adjusted values are
+/// made monotonic.
 using StepFormula = std::function<double(double p, double i, double m)>;
 
-Sorted stepDown(Sorted p, const StepFormula& step) {
+SortedPValues stepDown(SortedPValues p, const StepFormula& step) {
   double largest = 0.0;
   for (std::size_t j = 0; j < p.size(); ++j) {
     const double own = step(p[j], static_cast<double>(j + 1), static_cast<double>(p.size()));
@@ -23,7 +24,7 @@ Sorted stepDown(Sorted p, const StepFormula& step) {
   return p;
 }
 
-Sorted stepUp(Sorted p, const StepFormula& step) {
+SortedPValues stepUp(SortedPValues p, const StepFormula& step) {
   double smallest = 1.0;
   for (std::size_t j = p.size(); j-- > 0;) {
     const double own = step(p[j], static_cast<double>(j + 1), static_cast<double>(p.size()));
@@ -41,9 +42,9 @@ double sidak(double p, double i, double m) {
   return -std::expm1((m - i + 1.0) * std::log1p(-p));
 }
 
-/// Simes' p of the @p count largest values without the smallest of these: the minimum of count · p
-/// / rank over ranks from 2.
-double simesWithoutSmallest(const Sorted& p, std::size_t count) {
+/// Simes' p of the @p count largest p values, if the smallest of them is left out: the minimum of
+/// count · p / rank over the ranks from 2.
+double simesWithoutSmallest(const SortedPValues& p, std::size_t count) {
   double least = 1.0;
   const std::size_t first = p.size() - count + 1;
   for (std::size_t rank = 2; rank <= count; ++rank) {
@@ -53,11 +54,11 @@ double simesWithoutSmallest(const Sorted& p, std::size_t count) {
   return least;
 }
 
-/// Algorithm of Wright 1992: of all subsets of j hypotheses that contain the i-th, the one with the
-/// largest other p values decides.
-Sorted hommel(const Sorted& p) {
+/// The algorithm of Wright 1992. Of all subsets of j hypotheses that contain the i-th one, only the
+/// subset whose other p values are the largest has to be tested.
+SortedPValues hommel(const SortedPValues& p) {
   const std::size_t m = p.size();
-  Sorted adjusted = p;
+  SortedPValues adjusted = p;
   for (std::size_t j = 2; j <= m; ++j) {
     const double others = simesWithoutSmallest(p, j);
     const std::size_t firstOfLargest = m - j + 1;  // the j − 1 largest begin here
@@ -76,9 +77,9 @@ double harmonicSum(std::size_t m) {
   return sum;
 }
 
-Sorted adjusted(const Sorted& p, Adjustment method) {
-  const auto discoveries = [](double own, double i, double m) { return own * m / i; };
-  const auto atAnyDependence = [c = harmonicSum(p.size())](double own, double i, double m) {
+SortedPValues adjusted(const SortedPValues& p, Adjustment method) {
+  const auto benjaminiHochberg = [](double own, double i, double m) { return own * m / i; };
+  const auto benjaminiYekutieli = [c = harmonicSum(p.size())](double own, double i, double m) {
     return c * own * m / i;
   };
   switch (method) {
@@ -91,9 +92,9 @@ Sorted adjusted(const Sorted& p, Adjustment method) {
     case Adjustment::Hommel:
       return hommel(p);
     case Adjustment::BenjaminiHochberg:
-      return stepUp(p, discoveries);
+      return stepUp(p, benjaminiHochberg);
     case Adjustment::BenjaminiYekutieli:
-      return stepUp(p, atAnyDependence);
+      return stepUp(p, benjaminiYekutieli);
     case Adjustment::HolmSidak:
       return stepDown(p, sidak);
   }
@@ -143,9 +144,9 @@ std::vector<std::optional<double>> adjust(
   }
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return *pValues[i]; });
 
-  Sorted sorted;
+  SortedPValues sorted;
   for (const std::size_t i : order) sorted.push_back(*pValues[i]);
-  const Sorted results = adjusted(sorted, method);
+  const SortedPValues results = adjusted(sorted, method);
 
   std::vector<std::optional<double>> all(pValues.size());
   for (std::size_t i = 0; i < order.size(); ++i) all[order[i]] = results[i];

@@ -53,10 +53,10 @@ void addTest(OneWayAnovaResult& result, const Squares& squares) {
   const double df1 = *result.degreesOfFreedom1;
   const double df2 = *result.degreesOfFreedom2;
   const double f = (squares.between / df1 / (squares.within / df2)).high;
-  const FisherDistribution law(df1, df2);
+  const FisherDistribution distribution(df1, df2);
   result.f = f;
-  result.p = law.upperP(f);
-  result.log10P = law.log10UpperP(f);
+  result.p = distribution.upperP(f);
+  result.log10P = distribution.log10UpperP(f);
 }
 
 }  // namespace
@@ -125,12 +125,12 @@ void addTests(RepeatedMeasuresResult& result, const TwoWayLayout& layout) {
   const double df1 = *result.degreesOfFreedom1;
   const double df2 = *result.degreesOfFreedom2;
   const double epsilon = greenhouseGeisser(layout);
-  const FisherDistribution law(df1, df2);
+  const FisherDistribution distribution(df1, df2);
   const FisherDistribution corrected(epsilon * df1, epsilon * df2);
 
   result.f = f;
-  result.p = law.upperP(f);
-  result.log10P = law.log10UpperP(f);
+  result.p = distribution.upperP(f);
+  result.log10P = distribution.log10UpperP(f);
   result.greenhouseGeisser = epsilon;
   result.pGreenhouseGeisser = corrected.upperP(f);
 }

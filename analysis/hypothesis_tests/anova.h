@@ -61,8 +61,8 @@ struct RepeatedMeasuresResult {
   Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
-/// Repeated-measures analysis of variance: do k conditions differ in their mean, each of n
-/// participants having been in all of them?
+/// Repeated-measures analysis of variance: do k conditions differ in their mean, if each of n
+/// participants took part in all conditions?
 ///
 ///     F = (SS_conditions / (k − 1)) / (SS_residual / ((k − 1)(n − 1)))
 ///     partial η² = SS_conditions / (SS_conditions + SS_residual)

@@ -75,9 +75,9 @@ Statistic statisticOf(std::span<const double> sorted) {
   for (const double value : sorted) {
     // W does not depend on offset and scale. Values scaled to 0 … 1 neither overflow nor lose
     // digits.
-    const DoubleDouble place = DoubleDouble::difference(unit * value, low) / range;
-    sum = sum + place;
-    squares = squares + place * place;
+    const DoubleDouble scaledValue = DoubleDouble::difference(unit * value, low) / range;
+    sum = sum + scaledValue;
+    squares = squares + scaledValue * scaledValue;
   }
 
   const std::vector<double> weights = weightsOf(sorted.size());

@@ -24,7 +24,7 @@ void requireOptions(int k) {
   if (k < 2 || k > kMostOptions) throw std::invalid_argument("there are 2 to 1000 options");
 }
 
-AttainableP fromLog(double naturalLog) {
+AttainableP attainablePFromLog(double naturalLog) {
   const double log10P = std::min(naturalLog / std::numbers::ln10, 0.0);
   return {.p = std::min(std::exp(naturalLog), 1.0), .log10P = log10P};
 }
@@ -65,20 +65,20 @@ AttainableP smallestFriedmanP(std::uint64_t n, int k) {
   const auto participants = static_cast<double>(n);
   constexpr int kExactFactorial = 18;  // 18! < 2^53
   if (k <= kExactFactorial) return power(std::round(std::tgamma(k + 1.0)), participants - 1.0);
-  return fromLog(-(participants - 1.0) * boost::math::lgamma(k + 1.0));
+  return attainablePFromLog(-(participants - 1.0) * boost::math::lgamma(k + 1.0));
 }
 
 AttainableP smallestMannWhitneyP(std::uint64_t n1, std::uint64_t n2) {
   double p = 2.0;  // computed as a product, which is exact as long as the binomial coefficient is
   double logP = std::numbers::ln2;
-  double ways = 1.0;
+  double combinations = 1.0;
   const auto fewer = static_cast<double>(std::min(n1, n2));
   const auto more = static_cast<double>(std::max(n1, n2));
   for (double i = 1.0; i <= fewer; i += 1.0) {
-    ways = ways * (more + i) / i;
+    combinations = combinations * (more + i) / i;
     logP -= std::log1p(more / i);
   }
-  p /= ways;
+  p /= combinations;
   return p >= 1.0 ? AttainableP{} : AttainableP{.p = p, .log10P = logP / std::numbers::ln10};
 }
 

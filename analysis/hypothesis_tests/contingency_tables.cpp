@@ -141,17 +141,17 @@ StuartMaxwellResult stuartMaxwellTest(ChangeTable table) {
 namespace {
 
 using Counts = std::vector<std::uint64_t>;
-constexpr std::uint64_t kMostCounts = 300;
+constexpr std::uint64_t kLargestTotal = 300;
 constexpr std::uint64_t kMostTables = 500'000;
 constexpr std::uint64_t kMostInACell = std::uint64_t{1} << 32;
 // Relative difference below which probabilities of 31 digits count as equal.
 constexpr double kEqualProbability = 1e-20;
 
 /// Pascal's triangle in double-doubles (31 digits).
-class LongBinomials {
+class PreciseBinomials {
  public:
-  LongBinomials() {
-    for (std::size_t n = 0; n <= kMostCounts; ++n) {
+  PreciseBinomials() {
+    for (std::size_t n = 0; n <= kLargestTotal; ++n) {
       rows_.emplace_back(n + 1, 1.0);
       for (std::size_t k = 1; k < n; ++k) rows_[n][k] = rows_[n - 1][k - 1] + rows_[n - 1][k];
     }
@@ -162,8 +162,8 @@ class LongBinomials {
   std::vector<std::vector<DoubleDouble>> rows_;
 };
 
-const LongBinomials& longBinomials() {
-  static const LongBinomials table;
+const PreciseBinomials& preciseBinomials() {
+  static const PreciseBinomials table;
   return table;
 }
 
@@ -174,18 +174,18 @@ const LongBinomials& longBinomials() {
 ///
 /// with h the remaining count of this row for this and later columns, and o that of the rows below
 /// it.
-class Tables {
+class TableEnumeration {
  public:
-  Tables(const Counts& rows, const Counts& columns, const DoubleDouble& observed)
+  TableEnumeration(const Counts& rows, const Counts& columns, const DoubleDouble& observed)
       : rows_(rows), columns_(columns), observed_(observed) {}
 
   /// The probability of tables that are not more probable than the observed one; std::nullopt if
   /// there are too many tables.
-  std::optional<double> notMoreProbable() {
+  std::optional<double> sumOfNotMoreProbable() {
     std::uint64_t left = 0;
     for (const auto row : rows_) left += row;
     fill(0, 0, columns_.front(), left, 1.0);
-    if (visited_ > kMostTables) return std::nullopt;
+    if (visitedTables_ > kMostTables) return std::nullopt;
     return std::min(1.0, sum_.high);
   }
 
@@ -194,7 +194,7 @@ class Tables {
   /// below the remaining count of this row and those below it.
   void fill(
       std::size_t j, std::size_t i, std::uint64_t wanted, std::uint64_t below, DoubleDouble p) {
-    if (visited_ > kMostTables) return;
+    if (visitedTables_ > kMostTables) return;
     if (j == columns_.size()) return visit(p);
     const std::uint64_t here = rows_[i];
     const std::uint64_t others = below - here;
@@ -212,8 +212,8 @@ class Tables {
           i + 1,
           wanted - part,
           others,
-          p * longBinomials()(here, part) * longBinomials()(others, wanted - part) /
-              longBinomials()(below, wanted));
+          p * preciseBinomials()(here, part) * preciseBinomials()(others, wanted - part) /
+              preciseBinomials()(below, wanted));
     }
     rows_[i] = here;
   }
@@ -225,7 +225,7 @@ class Tables {
   }
 
   void visit(const DoubleDouble& p) {
-    ++visited_;
+    ++visitedTables_;
     const bool isMore = (p - observed_).high > kEqualProbability * observed_.high;
     if (!isMore) sum_ = sum_ + p;
   }
@@ -234,7 +234,7 @@ class Tables {
   Counts columns_;
   DoubleDouble observed_;
   DoubleDouble sum_;
-  std::uint64_t visited_ = 0;
+  std::uint64_t visitedTables_ = 0;
 };
 
 /// The sums of each row and column.
@@ -261,10 +261,10 @@ DoubleDouble probabilityOf(std::span<const Counts> table, const Margins& margins
   std::uint64_t all = margins.total;
   DoubleDouble p = 1.0;
   for (std::size_t j = 0; j < margins.columns.size(); ++j) {
-    p = p / longBinomials()(all, margins.columns[j]);
+    p = p / preciseBinomials()(all, margins.columns[j]);
     all -= margins.columns[j];
     for (std::size_t i = 0; i < left.size(); ++i) {
-      p = p * longBinomials()(left[i], table[i][j]);
+      p = p * preciseBinomials()(left[i], table[i][j]);
       left[i] -= table[i][j];
     }
   }
@@ -284,21 +284,21 @@ FisherExactResult fisherExactTest(std::span<const Counts> table) {
   Margins margins = marginsOf(table);
   FisherExactResult result;
   result.total = margins.total;
-  const auto filled = [](const Counts& sums) {
+  const auto nonEmptyCount = [](const Counts& sums) {
     return std::ranges::count_if(sums, [](std::uint64_t sum) { return sum > 0; });
   };
-  if (filled(margins.rows) < 2 || filled(margins.columns) < 2) {
+  if (nonEmptyCount(margins.rows) < 2 || nonEmptyCount(margins.columns) < 2) {
     result.reason = reason("one_row_or_column");
     return result;
   }
-  if (margins.total > kMostCounts) {
+  if (margins.total > kLargestTotal) {
     result.reason = reason("too_many_counts");
     return result;
   }
   const DoubleDouble observed = probabilityOf(table, margins);
   std::erase(margins.rows, 0U);
   std::erase(margins.columns, 0U);
-  result.p = Tables(margins.rows, margins.columns, observed).notMoreProbable();
+  result.p = TableEnumeration(margins.rows, margins.columns, observed).sumOfNotMoreProbable();
   if (!result.p) result.reason = reason("too_many_tables");
   return result;
 }

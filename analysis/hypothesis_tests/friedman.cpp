@@ -68,11 +68,12 @@ Int128 inequality(std::size_t cell, const Grid& grid, Int128 blocks) {
 
 /// One step of the dynamic programming: the counts after one more block, which adds each of its
 /// permutations to every sum reached so far.
-std::vector<Int128> moved(const std::vector<Int128>& ways, const std::vector<std::size_t>& moves) {
-  std::vector<Int128> next(ways.size(), 0);
-  for (std::size_t cell = 0; cell < ways.size(); ++cell) {
-    if (ways[cell] == 0) continue;
-    for (const std::size_t move : moves) next[cell + move] += ways[cell];
+std::vector<Int128> withOneMoreBlock(
+    const std::vector<Int128>& counts, const std::vector<std::size_t>& moves) {
+  std::vector<Int128> next(counts.size(), 0);
+  for (std::size_t cell = 0; cell < counts.size(); ++cell) {
+    if (counts[cell] == 0) continue;
+    for (const std::size_t move : moves) next[cell + move] += counts[cell];
   }
   return next;
 }
@@ -104,15 +105,15 @@ std::optional<double> friedmanPermutationP(std::span<const Block> doubledRanks) 
     movesOfBlocks.push_back(std::move(*moves));
   }
   // Allocated last: for a p that is not computed the grid could need a gigabyte.
-  std::vector<Int128> ways(grid->cells, 0);
-  ways[0] = 1;
-  for (const auto& moves : movesOfBlocks) ways = moved(ways, moves);
+  std::vector<Int128> counts(grid->cells, 0);
+  counts[0] = 1;
+  for (const auto& moves : movesOfBlocks) counts = withOneMoreBlock(counts, moves);
 
   const auto count = static_cast<Int128>(doubledRanks.size());
   const Int128 observed = inequality(cellOf(doubledRanks, *grid), *grid, count);
   Int128 asUnequal = 0;
-  for (std::size_t cell = 0; cell < ways.size(); ++cell) {
-    if (ways[cell] > 0 && inequality(cell, *grid, count) >= observed) asUnequal += ways[cell];
+  for (std::size_t cell = 0; cell < counts.size(); ++cell) {
+    if (counts[cell] > 0 && inequality(cell, *grid, count) >= observed) asUnequal += counts[cell];
   }
   return exactQuotient(asUnequal, all).high;
 }
@@ -183,7 +184,7 @@ void addImanDavenport(FriedmanResult& result, const Ranking& ranking) {
   result.imanDavenportP = fisher.upperP(f);
 }
 
-RankComparison compared(const Ranking& ranking, std::size_t first, std::size_t second) {
+RankComparison comparisonOf(const Ranking& ranking, std::size_t first, std::size_t second) {
   const Int128 difference = ranking.doubledSums[first] - ranking.doubledSums[second];
   const Int128 size = difference < 0 ? -difference : difference;
   RankComparison pair{.first = first, .second = second, .conoverT = {}, .conoverP = {}};
@@ -223,7 +224,7 @@ void addTest(FriedmanResult& result, const Ranking& ranking) {
 
   for (std::size_t i = 0; i < ranking.doubledSums.size(); ++i) {
     for (std::size_t j = i + 1; j < ranking.doubledSums.size(); ++j) {
-      result.pairs.push_back(compared(ranking, i, j));
+      result.pairs.push_back(comparisonOf(ranking, i, j));
     }
   }
 }

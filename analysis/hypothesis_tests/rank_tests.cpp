@@ -43,21 +43,21 @@ ReducedRanks reducedRanks(const TiedGroups& groups) {
 }
 
 /// The largest sum of @p chosen ranks.
-std::uint64_t reachOf(const ReducedRanks& ranks, std::uint64_t chosen) {
+std::uint64_t largestSumOf(const ReducedRanks& ranks, std::uint64_t chosen) {
   return std::accumulate(
       ranks.steps.end() - static_cast<std::ptrdiff_t>(chosen), ranks.steps.end(), std::uint64_t{0});
 }
 
 /// For each sum, the number of subsets of @p chosen ranks that have it.
-std::vector<DoubleDouble> waysTo(const ReducedRanks& ranks, std::size_t chosen) {
-  const std::size_t width = reachOf(ranks, chosen) + 1;
+std::vector<DoubleDouble> subsetCountsBySum(const ReducedRanks& ranks, std::size_t chosen) {
+  const std::size_t width = largestSumOf(ranks, chosen) + 1;
   std::vector<std::vector<DoubleDouble>> ways(chosen + 1, std::vector<DoubleDouble>(width));
   ways[0][0] = 1.0;
-  std::size_t seen = 0;
+  std::size_t ranksSeen = 0;
   for (const auto rank : ranks.steps) {
-    ++seen;
+    ++ranksSeen;
     // Downwards, so that each rank is chosen at most once.
-    for (std::size_t count = std::min(seen, chosen); count > 0; --count) {
+    for (std::size_t count = std::min(ranksSeen, chosen); count > 0; --count) {
       for (std::size_t sum = rank; sum < width; ++sum) {
         const DoubleDouble& without = ways[count - 1][sum - rank];
         if (!without.isZero()) ways[count][sum] = ways[count][sum] + without;
@@ -69,16 +69,16 @@ std::vector<DoubleDouble> waysTo(const ReducedRanks& ranks, std::size_t chosen) 
 
 }  // namespace
 
-bool RankSums::isComputable(const TiedGroups& groups) {
+bool RankSumDistribution::isComputable(const TiedGroups& groups) {
   if (groups.n1 > kMostValues || groups.n2 > kMostValues) return false;
   const std::uint64_t all = groups.n1 + groups.n2;
   if (all > kMostValues) return false;
   if (groups.isEmpty()) return true;
   const std::uint64_t chosen = std::min(groups.n1, groups.n2);
-  return all * chosen * (reachOf(reducedRanks(groups), chosen) + 1) <= kMostSteps;
+  return all * chosen * (largestSumOf(reducedRanks(groups), chosen) + 1) <= kMostSteps;
 }
 
-RankSums::RankSums(const TiedGroups& groups) {
+RankSumDistribution::RankSumDistribution(const TiedGroups& groups) {
   if (!isComputable(groups)) throw std::invalid_argument("too many rank sums to compute their law");
   if (groups.isEmpty()) throw std::invalid_argument("a group has no values");
   const bool isFirst = groups.n1 <= groups.n2;
@@ -92,17 +92,17 @@ RankSums::RankSums(const TiedGroups& groups) {
   least_ = isFirst ? first : 2 * mean - first;
   step_ = static_cast<std::int64_t>(ranks.unit) * (isFirst ? 1 : -1);
 
-  probabilities_ = waysTo(ranks, static_cast<std::size_t>(chosen));
+  probabilities_ = subsetCountsBySum(ranks, static_cast<std::size_t>(chosen));
   DoubleDouble all;
   for (const auto& ways : probabilities_) all = all + ways;
   for (auto& ways : probabilities_) ways = ways / all;
 }
 
-std::int64_t RankSums::doubledUAt(std::size_t index) const {
+std::int64_t RankSumDistribution::doubledUAt(std::size_t index) const {
   return least_ + step_ * static_cast<std::int64_t>(index);
 }
 
-double RankSums::atMost(std::int64_t doubledU) const {
+double RankSumDistribution::atMost(std::int64_t doubledU) const {
   DoubleDouble sum;
   for (std::size_t i = 0; i < probabilities_.size(); ++i) {
     if (doubledUAt(i) <= doubledU) sum = sum + probabilities_[i];
@@ -110,7 +110,7 @@ double RankSums::atMost(std::int64_t doubledU) const {
   return sum.high;
 }
 
-double RankSums::atLeast(std::int64_t doubledU) const {
+double RankSumDistribution::atLeast(std::int64_t doubledU) const {
   DoubleDouble sum;
   for (std::size_t i = 0; i < probabilities_.size(); ++i) {
     if (doubledUAt(i) >= doubledU) sum = sum + probabilities_[i];
@@ -128,21 +128,22 @@ Reason whyNotRanked(const TiedGroups& groups) {
 }
 
 void addExact(MannWhitneyResult& result, const TiedGroups& groups, Int128 doubledU) {
-  if (!RankSums::isComputable(groups)) {
+  if (!RankSumDistribution::isComputable(groups)) {
     result.reason = reason("too_many_values");
     return;
   }
-  const RankSums law(groups);
+  const RankSumDistribution distribution(groups);
   const auto u = static_cast<std::int64_t>(doubledU);
-  result.pLess = law.atMost(u);
-  result.pGreater = law.atLeast(u);
+  result.pLess = distribution.atMost(u);
+  result.pGreater = distribution.atLeast(u);
   result.p = std::min(1.0, 2.0 * std::min(*result.pLess, *result.pGreater));
 }
 
-void addAsymptotic(MannWhitneyResult& result, const TiedGroups& groups, const Placements& places) {
+void addAsymptotic(
+    MannWhitneyResult& result, const TiedGroups& groups, const Placements& placements) {
   const auto pairs = static_cast<Int128>(groups.n1) * static_cast<Int128>(groups.n2);
   const auto all = static_cast<Int128>(groups.n1) + static_cast<Int128>(groups.n2);
-  const Int128 untied = all * all * all - all - places.tieSum;
+  const Int128 untied = all * all * all - all - placements.tieSum;
   const DoubleDouble variance =
       exactQuotient(untied, 12 * all * (all - 1)) * exactQuotient(pairs, 1);
   result.variance = variance.high;
@@ -150,7 +151,7 @@ void addAsymptotic(MannWhitneyResult& result, const TiedGroups& groups, const Pl
     result.reason = reason("all_values_equal");
     return;
   }
-  const Int128 excess = places.sum1 - pairs;  // 2 (U − its mean)
+  const Int128 excess = placements.sum1 - pairs;  // 2 (U − its mean)
   // The continuity correction moves U by ½, that is 2U by 1, towards its mean.
   const Int128 corrected = excess > 0 ? excess - 1 : excess < 0 ? excess + 1 : 0;
   const DoubleDouble deviation = squareRoot(variance) * 2.0;
@@ -172,10 +173,10 @@ MannWhitneyResult mannWhitneyTest(const TiedGroups& groups) {
   result.reason = whyNotRanked(groups);
   if (!result.reason.empty()) return result;
 
-  const Placements places = placementsOf(groups);
-  result.u = exactQuotient(places.sum1, 2).high;
-  addExact(result, groups, places.sum1);
-  addAsymptotic(result, groups, places);
+  const Placements placements = placementsOf(groups);
+  result.u = exactQuotient(placements.sum1, 2).high;
+  addExact(result, groups, placements.sum1);
+  addAsymptotic(result, groups, placements);
   return result;
 }
 
@@ -194,20 +195,20 @@ DoubleDouble spread(Int128 n, Int128 sum, Int128 squares) {
 }
 
 void addProbabilities(BrunnerMunzelResult& result) {
-  const StudentDistribution law(*result.degreesOfFreedom);
-  const double p = law.twoSidedP(*result.w);
+  const StudentDistribution distribution(*result.degreesOfFreedom);
+  const double p = distribution.twoSidedP(*result.w);
   result.p = p;
-  result.log10P = law.log10TwoSidedP(*result.w);
+  result.log10P = distribution.log10TwoSidedP(*result.w);
   result.pLess = *result.w > 0.0 ? 0.5 * p : 1.0 - 0.5 * p;
   result.pGreater = *result.w > 0.0 ? 1.0 - 0.5 * p : 0.5 * p;
 }
 
-void addTest(BrunnerMunzelResult& result, const Placements& places) {
+void addTest(BrunnerMunzelResult& result, const Placements& placements) {
   const auto n1 = static_cast<Int128>(result.n1);
   const auto n2 = static_cast<Int128>(result.n2);
-  const Int128 excess = n1 * n2 - places.sum1;  // n₁n₂ − 2U
-  const DoubleDouble spread1 = spread(n1, places.sum1, places.squares1);
-  const DoubleDouble spread2 = spread(n2, places.sum2, places.squares2);
+  const Int128 excess = n1 * n2 - placements.sum1;  // n₁n₂ − 2U
+  const DoubleDouble spread1 = spread(n1, placements.sum1, placements.squares1);
+  const DoubleDouble spread2 = spread(n2, placements.sum2, placements.squares2);
   const DoubleDouble both = spread1 + spread2;
   if (both.isZero()) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -238,10 +239,10 @@ BrunnerMunzelResult brunnerMunzelTest(const TiedGroups& groups) {
   result.reason = whyUndefined(groups);
   if (groups.isEmpty() || groups.areTooLargeForExactRanks()) return result;
 
-  const Placements places = placementsOf(groups);
+  const Placements placements = placementsOf(groups);
   const auto pairs = static_cast<Int128>(groups.n1) * static_cast<Int128>(groups.n2);
-  result.probability = exactQuotient(places.sum2, 2 * pairs).high;
-  if (result.reason.empty()) addTest(result, places);
+  result.probability = exactQuotient(placements.sum2, 2 * pairs).high;
+  if (result.reason.empty()) addTest(result, placements);
   return result;
 }
 

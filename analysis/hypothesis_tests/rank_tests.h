@@ -15,14 +15,14 @@ namespace analysis {
 /// The exact distribution of Mann & Whitney's U if each choice of n₁ of all values as group 1 is
 /// equally likely. Uses the midranks of the data, ties included, and computes by dynamic
 /// programming over rank sums with 31 digits.
-class RankSums {
+class RankSumDistribution {
  public:
   /// Whether the distribution fits into memory and is computed within about a second: two groups of
   /// some 50 values.
   static bool isComputable(const TiedGroups& groups);
 
   /// @throws std::invalid_argument  for groups that isComputable() refuses, and for an empty one.
-  explicit RankSums(const TiedGroups& groups);
+  explicit RankSumDistribution(const TiedGroups& groups);
 
   /// P(2U ≤ u)
   double atMost(std::int64_t doubledU) const;
@@ -62,8 +62,8 @@ struct MannWhitneyResult {
 ///     U = #{x > y} + ½ #{x = y}
 ///     σ² = n₁ n₂ / 12 · (N + 1 − Σ (t³ − t) / (N (N − 1))),   N = n₁ + n₂
 ///
-/// The exact p values (see RankSums) exist for two groups of up to about 50 values, or if one group
-/// is very small.
+/// The exact p values (see RankSumDistribution) exist for two groups of up to about 50 values, or
+/// if one group is very small.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 MannWhitneyResult mannWhitneyTest(std::span<const double> group1, std::span<const double> group2);

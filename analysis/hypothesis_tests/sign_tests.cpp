@@ -58,7 +58,7 @@ struct SignedRanks {
   Int128 squares = 0;
 };
 
-SignedRanks ranked(std::span<const double> differences, ZeroTreatment zeros) {
+SignedRanks signedRanksOf(std::span<const double> differences, ZeroTreatment zeros) {
   std::vector<double> sizes;
   std::vector<int> signs;
   for (const double difference : differences) {
@@ -85,11 +85,11 @@ void addExact(SignedRankResult& result, const SignedRanks& ranks) {
     result.reason = reason("too_many_differences_asymptotic");
     return;
   }
-  const WeightedBernoulliSum law(ranks.doubled);
+  const WeightedBernoulliSum distribution(ranks.doubled);
   const auto sum = static_cast<std::uint64_t>(ranks.positiveSum);
-  result.p = law.twoSided(sum);
-  result.pLess = law.atMost(sum);
-  result.pGreater = law.atLeast(sum);
+  result.p = distribution.twoSided(sum);
+  result.pLess = distribution.atMost(sum);
+  result.pGreater = distribution.atLeast(sum);
 }
 
 void addAsymptotic(SignedRankResult& result, const SignedRanks& ranks) {
@@ -106,7 +106,7 @@ void addAsymptotic(SignedRankResult& result, const SignedRanks& ranks) {
 }  // namespace
 
 SignedRankResult signedRankTest(std::span<const double> differences, ZeroTreatment zeros) {
-  const SignedRanks ranks = ranked(differences, zeros);
+  const SignedRanks ranks = signedRanksOf(differences, zeros);
   SignedRankResult result;
   result.n = differences.size();
   result.positive = static_cast<std::uint64_t>(
@@ -129,14 +129,14 @@ using Integers = std::vector<Int128>;
 constexpr std::size_t kMostEnumerated = 40;  // two halves of 2^20 sums each
 
 /// A double as mantissa · 2^exponent.
-struct Binary {
+struct BinaryNumber {
   Int128 mantissa = 0;
   int exponent = 0;
 };
 
-Binary mantissaAndExponent(double number) {
+BinaryNumber mantissaAndExponent(double number) {
   constexpr int kBits = 53;
-  Binary binary;
+  BinaryNumber binary;
   binary.mantissa = static_cast<Int128>(std::ldexp(std::frexp(number, &binary.exponent), kBits));
   binary.exponent -= kBits;
   for (; binary.mantissa % 2 == 0; binary.mantissa /= 2) ++binary.exponent;
@@ -148,10 +148,10 @@ Binary mantissaAndExponent(double number) {
 std::optional<Integers> exactIntegers(const std::vector<double>& numbers) {
   constexpr int kMostShift =
       66;  // [bits]; with 53 of a mantissa and 6 for a sum of 64 numbers: 125
-  std::vector<Binary> binaries;
+  std::vector<BinaryNumber> binaries;
   binaries.reserve(numbers.size());
   for (const double number : numbers) binaries.push_back(mantissaAndExponent(number));
-  const auto least = std::ranges::min_element(binaries, {}, &Binary::exponent)->exponent;
+  const auto least = std::ranges::min_element(binaries, {}, &BinaryNumber::exponent)->exponent;
 
   Integers integers;
   for (const auto& binary : binaries) {
@@ -174,22 +174,22 @@ Integers subsetSums(std::span<const Int128> weights) {
   return sums;
 }
 
-/// How many subsets have a sum of at least `least`, by meeting in the middle (Horowitz & Sahni
-/// 1974): for the sums of one half in ascending order, the smallest sufficient sum of the other
-/// half descends. 2^(n/2) sums in place of 2ⁿ.
-std::uint64_t subsetsOfAtLeast(std::span<const Int128> weights, Int128 least) {
+/// The number of subsets of @p weights with a sum of at least `least`, from the sums of the two
+/// halves of the weights (Horowitz & Sahni 1974): as the sum of the lower half rises, the smallest
+/// sum of the upper half that suffices falls. So 2^(n/2) sums are computed in place of 2ⁿ.
+std::uint64_t countSubsetsWithSumAtLeast(std::span<const Int128> weights, Int128 least) {
   const Integers lower = subsetSums(weights.first(weights.size() / 2));
   const Integers upper = subsetSums(weights.subspan(weights.size() / 2));
   std::uint64_t count = 0;
-  std::size_t enough = upper.size();
+  std::size_t firstEnough = upper.size();
   for (const Int128 sum : lower) {
-    while (enough > 0 && sum + upper[enough - 1] >= least) --enough;
-    count += upper.size() - enough;
+    while (firstEnough > 0 && sum + upper[firstEnough - 1] >= least) --firstEnough;
+    count += upper.size() - firstEnough;
   }
   return count;
 }
 
-/// The magnitudes of the differences, their sum, and the sum of the positive ones.
+/// The magnitudes of the differences, their sum, and the sum of the positive differences.
 struct SignFlips {
   Integers sizes;
   Int128 positive = 0;
@@ -207,10 +207,10 @@ SignFlips flipsOf(const Integers& integers) {
   return flips;
 }
 
-void addEnumerated(SignFlipResult& result, const SignFlips& flips) {
+void addPByEnumeration(SignFlipResult& result, const SignFlips& flips) {
   const double all = std::ldexp(1.0, static_cast<int>(flips.sizes.size()));
   const auto atLeast = [&](Int128 sum) {
-    return static_cast<double>(subsetsOfAtLeast(flips.sizes, sum)) / all;
+    return static_cast<double>(countSubsetsWithSumAtLeast(flips.sizes, sum)) / all;
   };
   result.pGreater = atLeast(flips.positive);
   result.pLess = atLeast(flips.total - flips.positive);
@@ -219,16 +219,16 @@ void addEnumerated(SignFlipResult& result, const SignFlips& flips) {
 
 /// Computes p from the distribution of all sums. Returns false if there are too many different
 /// sums.
-bool addBySums(SignFlipResult& result, const SignFlips& flips) {
+bool addPByAllSums(SignFlipResult& result, const SignFlips& flips) {
   std::vector<std::uint64_t> weights;
   for (const Int128 size : flips.sizes) weights.push_back(static_cast<std::uint64_t>(size));
   if (!WeightedBernoulliSum::isFeasible(weights)) return false;
 
-  const WeightedBernoulliSum law(weights);
+  const WeightedBernoulliSum distribution(weights);
   const auto positive = static_cast<std::uint64_t>(flips.positive);
-  result.p = law.twoSided(positive);
-  result.pLess = law.atMost(positive);
-  result.pGreater = law.atLeast(positive);
+  result.p = distribution.twoSided(positive);
+  result.pLess = distribution.atMost(positive);
+  result.pGreater = distribution.atLeast(positive);
   return true;
 }
 
@@ -255,9 +255,9 @@ SignFlipResult signFlipTest(std::span<const double> differences) {
     return result;
   }
   const SignFlips flips = integers ? flipsOf(*integers) : SignFlips{};
-  if (common && addBySums(result, flips)) return result;
+  if (common && addPByAllSums(result, flips)) return result;
   if (areFew) {
-    addEnumerated(result, flips);
+    addPByEnumeration(result, flips);
   } else {
     result.reason = reason("too_many_to_flip");
   }

@@ -38,10 +38,10 @@ double welchSatterthwaite(const DoubleDouble& v1, double n1, const DoubleDouble&
 template <typename Result>
 void addProbabilities(Result& result) {
   const double t = *result.t;
-  const StudentDistribution law(*result.degreesOfFreedom);
-  const double p = law.twoSidedP(t);
+  const StudentDistribution distribution(*result.degreesOfFreedom);
+  const double p = distribution.twoSidedP(t);
   result.p = p;
-  result.log10P = law.log10TwoSidedP(t);
+  result.log10P = distribution.log10TwoSidedP(t);
   result.pLess = t < 0.0 ? 0.5 * p : 1.0 - 0.5 * p;
   result.pGreater = t < 0.0 ? 1.0 - 0.5 * p : 0.5 * p;
 }
@@ -202,16 +202,16 @@ std::optional<Interval> confidenceInterval(const PairedTResult& result, double l
 namespace {
 
 /// P(T ≥ t).
-OneSidedTest upperTail(double t, const StudentDistribution& law) {
+OneSidedTest upperTail(double t, const StudentDistribution& distribution) {
   if (std::isinf(t)) return {.t = t, .p = t > 0.0 ? 0.0 : 1.0, .log10P = std::nullopt};
-  const double half = 0.5 * law.twoSidedP(t);
+  const double half = 0.5 * distribution.twoSidedP(t);
   if (t < 0.0) return {.t = t, .p = 1.0 - half, .log10P = std::log1p(-half) / std::numbers::ln10};
-  return {.t = t, .p = half, .log10P = law.log10TwoSidedP(t) - std::log10(2.0)};
+  return {.t = t, .p = half, .log10P = distribution.log10TwoSidedP(t) - std::log10(2.0)};
 }
 
 /// P(T ≤ t).
-OneSidedTest lowerTail(double t, const StudentDistribution& law) {
-  OneSidedTest test = upperTail(-t, law);
+OneSidedTest lowerTail(double t, const StudentDistribution& distribution) {
+  OneSidedTest test = upperTail(-t, distribution);
   test.t = t;
   return test;
 }
@@ -233,9 +233,9 @@ EquivalenceResult twoOneSidedTests(
     return result;
   }
 
-  const StudentDistribution law(*degreesOfFreedom);
-  const OneSidedTest above = upperTail((*difference - bounds.lower) / *standardError, law);
-  const OneSidedTest below = lowerTail((*difference - bounds.upper) / *standardError, law);
+  const StudentDistribution distribution(*degreesOfFreedom);
+  const OneSidedTest above = upperTail((*difference - bounds.lower) / *standardError, distribution);
+  const OneSidedTest below = lowerTail((*difference - bounds.upper) / *standardError, distribution);
   result.aboveLower = above;
   result.belowUpper = below;
   result.p = std::max(above.p, below.p);

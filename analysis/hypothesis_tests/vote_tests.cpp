@@ -44,32 +44,40 @@ class Outcomes {
 
   /// Distributes the remaining @p votes over the remaining @p options, none of which gets more than
   /// @p largest. The counts chosen so far arise from @p orders orders of the votes and can be
-  /// assigned to options in @p placements ways.
+  /// assigned to options in @p assignments ways.
   void visit(
       std::size_t votes,
       std::size_t options,
       std::size_t largest,
       Int128 orders,
-      Int128 placements) {
+      Int128 assignments) {
     if (votes == 0) {
-      if (orders <= observed_) notMoreProbable_ += orders * placements;
+      if (orders <= observed_) countOfNotMoreProbable_ += orders * assignments;
       return;
     }
-    for (std::size_t each = std::min(largest, votes); each * options >= votes && each > 0; --each) {
+    for (std::size_t votesEach = std::min(largest, votes);
+         votesEach * options >= votes && votesEach > 0;
+         --votesEach) {
       Int128 ordersHere = orders;
-      for (std::size_t alike = 1; alike <= options && alike * each <= votes; ++alike) {
-        const std::size_t left = votes - alike * each;
-        ordersHere *= binomials()(left + each, each);
+      for (std::size_t sameCountOptions = 1;
+           sameCountOptions <= options && sameCountOptions * votesEach <= votes;
+           ++sameCountOptions) {
+        const std::size_t left = votes - sameCountOptions * votesEach;
+        ordersHere *= binomials()(left + votesEach, votesEach);
         visit(
-            left, options - alike, each - 1, ordersHere, placements * binomials()(options, alike));
+            left,
+            options - sameCountOptions,
+            votesEach - 1,
+            ordersHere,
+            assignments * binomials()(options, sameCountOptions));
       }
     }
   }
-  Int128 notMoreProbable() const { return notMoreProbable_; }
+  Int128 countOfNotMoreProbable() const { return countOfNotMoreProbable_; }
 
  private:
   Int128 observed_;
-  Int128 notMoreProbable_ = 0;
+  Int128 countOfNotMoreProbable_ = 0;
 };
 
 /// kⁿ, or std::nullopt if it does not fit.
@@ -103,19 +111,20 @@ std::optional<double> equalSharesP(const VoteCounts& votes) {
 
   Outcomes outcomes(ordersOf(shares));
   outcomes.visit(votes.total(), shares.size(), votes.total(), 1, 1);
-  return exactQuotient(outcomes.notMoreProbable(), *all).high;
+  return exactQuotient(outcomes.countOfNotMoreProbable(), *all).high;
 }
 
 namespace {
 
-/// k ΣGⱼ² − (ΣGⱼ)² and k ΣLᵢ − ΣLᵢ²
+/// The two sums of Cochran's Q (see cochranQTest()), k ΣGⱼ² − (ΣGⱼ)² and k ΣLᵢ − ΣLᵢ², and the
+/// number of persons who give the same answer to all options.
 struct CochranSums {
-  Int128 above = 0;
-  Int128 under = 0;
-  std::uint64_t undecided = 0;
+  Int128 numeratorSum = 0;
+  Int128 denominatorSum = 0;
+  std::uint64_t unvaryingPersons = 0;
 };
 
-CochranSums sumsOf(std::span<const std::vector<bool>> answers) {
+CochranSums cochranSumsOf(std::span<const std::vector<bool>> answers) {
   const std::size_t options = answers.front().size();
   const auto k = static_cast<Int128>(options);
   std::vector<Int128> yesTo(options, 0);
@@ -128,12 +137,12 @@ CochranSums sumsOf(std::span<const std::vector<bool>> answers) {
       ++yesTo[j];
       ++yes;
     }
-    if (yes == 0 || yes == k) ++sums.undecided;
-    sums.under += k * yes - yes * yes;
+    if (yes == 0 || yes == k) ++sums.unvaryingPersons;
+    sums.denominatorSum += k * yes - yes * yes;
     all += yes;
   }
-  for (const Int128 yes : yesTo) sums.above += k * yes * yes;
-  sums.above -= all * all;
+  for (const Int128 yes : yesTo) sums.numeratorSum += k * yes * yes;
+  sums.numeratorSum -= all * all;
   return sums;
 }
 
@@ -190,14 +199,14 @@ CochranResult cochranQTest(std::span<const std::vector<bool>> answers) {
     result.reason = reason("nobody_answered");
     return result;
   }
-  const CochranSums sums = sumsOf(answers);
-  result.undecided = sums.undecided;
-  if (sums.under == 0) {
+  const CochranSums sums = cochranSumsOf(answers);
+  result.unvaryingPersons = sums.unvaryingPersons;
+  if (sums.denominatorSum == 0) {
     result.reason = reason("same_to_all");
     return result;
   }
   const auto k = static_cast<Int128>(answers.front().size());
-  result.q = exactQuotient((k - 1) * sums.above, sums.under).high;
+  result.q = exactQuotient((k - 1) * sums.numeratorSum, sums.denominatorSum).high;
   result.degreesOfFreedom = static_cast<double>(k - 1);
   result.p = chiSquaredP(*result.q, *result.degreesOfFreedom);
   result.log10P = log10ChiSquaredP(*result.q, *result.degreesOfFreedom);

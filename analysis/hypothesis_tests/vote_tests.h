@@ -41,7 +41,8 @@ EqualSharesResult equalSharesTest(const VoteCounts& votes);
 /// answers yes or no to each. If a number is missing, `reason` says why.
 struct CochranResult {
   std::uint64_t persons = 0;
-  std::uint64_t undecided = 0;  ///< persons who gave the same answer to all options; Q ignores them
+  std::uint64_t unvaryingPersons =
+      0;  ///< persons who gave the same answer to all options; Q ignores them
   std::optional<double> q;
   std::optional<double> degreesOfFreedom;  ///< k − 1
   std::optional<double> p;                 ///< of χ²

@@ -29,19 +29,19 @@ double normalMean(Function f) {
 }
 
 /// The probability for one row of the design matrix, and its derivatives.
-struct Part {
+struct MarginalPart {
   double probability = 0.0;
-  double byPredictor = 0.0;
-  double byDeviation = 0.0;
+  double predictorDerivative = 0.0;
+  double deviationDerivative = 0.0;
 };
 
-Part partOf(double predictor, double deviation) {
+MarginalPart marginalPartOf(double predictor, double deviation) {
   const auto at = [&](double u) { return predictor + deviation * u; };
   const auto slope = [&](double u) { return logistic(at(u)) * logistic(-at(u)); };
   return {
       .probability = normalMean([&](double u) { return logistic(at(u)); }),
-      .byPredictor = normalMean(slope),
-      .byDeviation = normalMean([&](double u) { return u * slope(u); })};
+      .predictorDerivative = normalMean(slope),
+      .deviationDerivative = normalMean([&](double u) { return u * slope(u); })};
 }
 
 /// The standard deviation of the sum of all random intercepts [logits].
@@ -64,26 +64,26 @@ double effectOf(const CumulativeLinkFit& fit, const std::vector<double>& design)
 }
 
 /// P and its gradient with respect to the parameters, in the order of the fit's covariance.
-class Marginal {
+class MarginalProbability {
  public:
-  Marginal(const CumulativeLinkFit& fit, std::size_t threshold)
+  MarginalProbability(const CumulativeLinkFit& fit, std::size_t threshold)
       : fit_(fit), threshold_(threshold), deviation_(deviationOf(fit)) {
     gradient_.setZero(fit.parameters());
   }
 
   void add(const std::vector<double>& design, double weight) {
     const double predictor = effectOf(fit_, design) - fit_.thresholds[threshold_].estimate;
-    const auto part = partOf(predictor, deviation_);
+    const auto part = marginalPartOf(predictor, deviation_);
     probability_ += weight * part.probability;
     auto place = static_cast<Index>(fit_.thresholds.size());
-    gradient_(static_cast<Index>(threshold_)) -= weight * part.byPredictor;
+    gradient_(static_cast<Index>(threshold_)) -= weight * part.predictorDerivative;
     for (std::size_t j = 1; j < design.size(); ++j) {
-      gradient_(place++) += weight * part.byPredictor * design[j];
+      gradient_(place++) += weight * part.predictorDerivative * design[j];
     }
     for (const auto& component : fit_.components) {
       // At σ = 0 the derivative is zero, since P is even in every σ_k.
       const double share = deviation_ > 0.0 ? component.standardDeviation / deviation_ : 0.0;
-      gradient_(place++) += weight * part.byDeviation * share;
+      gradient_(place++) += weight * part.deviationDerivative * share;
     }
   }
 
@@ -112,9 +112,9 @@ class Marginal {
 std::optional<AnswerProbability> answerProbability(
     const CumulativeLinkFit& fit, int level, std::span<const std::vector<double>> designs) {
   if (designs.empty()) throw std::invalid_argument("a probability needs a design");
-  const auto reached = std::ranges::lower_bound(fit.levels, level);
-  if (reached == fit.levels.begin() || reached == fit.levels.end()) return std::nullopt;
-  Marginal marginal(fit, static_cast<std::size_t>(reached - fit.levels.begin()) - 1);
+  const auto firstLevel = std::ranges::lower_bound(fit.levels, level);
+  if (firstLevel == fit.levels.begin() || firstLevel == fit.levels.end()) return std::nullopt;
+  MarginalProbability marginal(fit, static_cast<std::size_t>(firstLevel - fit.levels.begin()) - 1);
   for (const auto& design : designs)
     marginal.add(design, 1.0 / static_cast<double>(designs.size()));
   return marginal.result();

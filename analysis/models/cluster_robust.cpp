@@ -74,14 +74,14 @@ LeastSquares leastSquares(
 
 /// Satterthwaite's (Σ p_gᵀp_g)² / ΣΣ (p_gᵀp_h)², with p_g = (I − H)_g A_g Q_g c.
 double degreesOfFreedom(const std::vector<Cluster>& clusters, const VectorXd& weights) {
-  std::vector<VectorXd> seen;  // S_g M_g c
-  for (const auto& own : clusters) seen.emplace_back(own.square * (own.root * weights));
+  std::vector<VectorXd> projectedWeights;  // S_g M_g c
+  for (const auto& own : clusters) projectedWeights.emplace_back(own.square * (own.root * weights));
   double trace = 0.0;
   double squares = 0.0;
   for (std::size_t g = 0; g < clusters.size(); ++g) {
-    const double self = seen[g].dot(clusters[g].root * weights);
+    const double self = projectedWeights[g].dot(clusters[g].root * weights);
     for (std::size_t h = 0; h < clusters.size(); ++h) {
-      const double product = (g == h ? self : 0.0) - seen[g].dot(seen[h]);
+      const double product = (g == h ? self : 0.0) - projectedWeights[g].dot(projectedWeights[h]);
       squares += product * product;
       if (g == h) trace += product;
     }
@@ -110,9 +110,9 @@ TEstimate estimateOf(const LeastSquares& fit, Index column, const std::string& n
     estimate.reason = reason("too_few_clusters");
     return estimate;
   }
-  const StudentDistribution law(std::max(df, 1.0));
-  estimate.p = law.twoSidedP(*estimate.t);
-  estimate.log10P = law.log10TwoSidedP(*estimate.t);
+  const StudentDistribution distribution(std::max(df, 1.0));
+  estimate.p = distribution.twoSidedP(*estimate.t);
+  estimate.log10P = distribution.log10TwoSidedP(*estimate.t);
   return estimate;
 }
 

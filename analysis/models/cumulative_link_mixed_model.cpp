@@ -29,8 +29,8 @@ constexpr double kStartingLogits[] = {1.0, 0.3};  // starting values of the stan
 
 /// The columns after the intercept, shifted and scaled to mean 0 and standard deviation 1. All
 /// parameters are then of the order of one, as minimise() requires.
-struct Standardised {
-  explicit Standardised(const FixedEffects& fixed) {
+struct StandardisedColumns {
+  explicit StandardisedColumns(const FixedEffects& fixed) {
     const auto n = static_cast<Index>(fixed.answers());
     const auto effects = static_cast<Index>(fixed.columns()) - 1;
     columns.resize(n, effects);
@@ -76,15 +76,15 @@ struct Answers {
   Index thresholds() const { return static_cast<Index>(levels.size()) - 1; }
 
   /// Starting values: the thresholds that reproduce the observed share of each level.
-  VectorXd logits() const {
-    VectorXd logits(thresholds());
+  VectorXd startingThresholds() const {
+    VectorXd startingThresholds(thresholds());
     for (std::size_t c = 0; c + 1 < levels.size(); ++c) {
       const auto below = static_cast<double>(
           std::ranges::count_if(indices, [&](std::size_t index) { return index <= c; }));
-      logits(static_cast<Index>(c)) =
+      startingThresholds(static_cast<Index>(c)) =
           std::log(below / (static_cast<double>(indices.size()) - below));
     }
-    return logits;
+    return startingThresholds;
   }
 };
 
@@ -106,7 +106,7 @@ Reason whySeparated(const Answers& answers, const Factor& factor) {
   return {};
 }
 
-Reason whyNotDefinedHere(
+Reason whyModelIsNotDefined(
     const Answers& answers, const FixedEffects& fixed, std::span<const Factor> random) {
   if (auto why = whyNotDefined(fixed, random); !why.empty()) return why;
   if (answers.levels.size() < 2) return reason("all_answers_same");
@@ -129,10 +129,10 @@ Minimum largestLikelihood(LaplaceLikelihood& likelihood, const VectorXd& start) 
 /// Uses a second start if the first one fails or ends at a standard deviation of zero, which is a
 /// stationary point even if it is no maximum.
 std::optional<Minimum> bestFit(
-    const Answers& answers, const Standardised& x, std::span<const Factor> random) {
+    const Answers& answers, const StandardisedColumns& x, std::span<const Factor> random) {
   LaplaceLikelihood plain(answers.indices, answers.levels.size(), x.columns, {});
   VectorXd start = VectorXd::Zero(plain.parameters());
-  start.head(answers.thresholds()) = answers.logits();
+  start.head(answers.thresholds()) = answers.startingThresholds();
   const auto marginal = largestLikelihood(plain, start);
   if (!marginal.isFound) return std::nullopt;
   if (random.empty()) return marginal;
@@ -181,7 +181,7 @@ CumulativeLinkFit fitOf(
       .covariance = {}};
   const Index thresholds = answers.thresholds();
   const Index effects = static_cast<Index>(fixed.columns()) - 1;
-  Matrix back = Standardised(fixed).backTransform(thresholds, minimum.at.size());
+  Matrix back = StandardisedColumns(fixed).backTransform(thresholds, minimum.at.size());
   for (Index k = thresholds + effects; k < minimum.at.size(); ++k) {
     if (minimum.at(k) < 0.0) back(k, k) = -1.0;  // the likelihood is even in each deviation
   }
@@ -220,10 +220,10 @@ CumulativeLinkResult fitCumulativeLinkMixedModel(
   }
   const Answers answers(y);
   CumulativeLinkResult result;
-  result.reason = whyNotDefinedHere(answers, fixed, random);
+  result.reason = whyModelIsNotDefined(answers, fixed, random);
   if (!result.reason.empty()) return result;
 
-  const Standardised x(fixed);
+  const StandardisedColumns x(fixed);
   const auto minimum = bestFit(answers, x, random);
   if (!minimum) {
     result.reason = reason("no_maximum");

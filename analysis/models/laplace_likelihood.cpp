@@ -20,7 +20,7 @@ constexpr double kNegligibleDecrease = 1e-18;
 constexpr double kRounding = 1e-13;  // relative rounding error of a sum of logarithms
 // Step of the central differences for the Hessian. Their truncation error, about the square of the
 // step, is then about as large as the rounding error, 1e-14 divided by the step.
-constexpr double kDifference = 5e-5;
+constexpr double kDifferenceStep = 5e-5;
 
 /// ln F(x), without overflow.
 double logLogistic(double x) {
@@ -35,7 +35,7 @@ VectorXd memberOfEach(
   return numbers;
 }
 
-double penalised(const std::vector<CumulativeLogit>& answers, const VectorXd& u) {
+double penalisedNegativeLog(const std::vector<CumulativeLogit>& answers, const VectorXd& u) {
   return 0.5 * u.squaredNorm() - memberOfEach(answers, &CumulativeLogit::logProbability).sum();
 }
 
@@ -93,7 +93,7 @@ Index LaplaceLikelihood::parameters() const noexcept {
 std::optional<double> LaplaceLikelihood::value(const VectorXd& parameters) {
   const auto mode = findMode(parameters);
   if (!mode) return std::nullopt;
-  double value = mode->penalised;
+  double value = mode->penalisedNegativeLog;
   if (u_.size() > 0) {
     value += system_.matrixL().nestedExpression().diagonal().array().log().sum();  // ½ ln |D|
   }
@@ -106,20 +106,21 @@ std::optional<double> LaplaceLikelihood::value(const VectorXd& parameters) {
 std::optional<VectorXd> LaplaceLikelihood::gradient(const VectorXd& parameters) {
   const auto mode = findMode(parameters);
   if (!mode) return std::nullopt;
-  const auto of = [&](double CumulativeLogit::*number) {
+  const auto memberVector = [&](double CumulativeLogit::*number) {
     return memberOfEach(mode->answers, number);
   };
-  const VectorXd slope = of(&CumulativeLogit::slope);
-  const VectorXd weight = of(&CumulativeLogit::weight);
-  const VectorXd weightSlope =
-      -of(&CumulativeLogit::densitySlopeAbove) - of(&CumulativeLogit::densitySlopeBelow);
+  const VectorXd slope = memberVector(&CumulativeLogit::slope);
+  const VectorXd weight = memberVector(&CumulativeLogit::weight);
+  const VectorXd weightSlope = -memberVector(&CumulativeLogit::densitySlopeAbove) -
+                               memberVector(&CumulativeLogit::densitySlopeBelow);
 
   const Sparse root = rootOfInverse();
   const Sparse half = root * mode->z;  // A
   const VectorXd leverage = half.cwiseProduct(half).transpose() * VectorXd::Ones(u_.size());
   // D⁻¹ times the gradient of ln |D| in u: twice the movement of the mode.
-  const VectorXd push = root.transpose() * (root * (mode->z * weightSlope.cwiseProduct(leverage)));
-  const VectorXd shift = mode->z.transpose() * push;
+  const VectorXd twiceModeShift =
+      root.transpose() * (root * (mode->z * weightSlope.cwiseProduct(leverage)));
+  const VectorXd shift = mode->z.transpose() * twiceModeShift;
   const VectorXd ofPredictor =
       0.5 * leverage.cwiseProduct(weightSlope) - slope - 0.5 * shift.cwiseProduct(weight);
 
@@ -127,21 +128,23 @@ std::optional<VectorXd> LaplaceLikelihood::gradient(const VectorXd& parameters) 
   for (std::size_t i = 0; i < y_.size(); ++i) {
     const auto row = static_cast<Index>(i);
     const auto& at = mode->answers[i];
-    const auto ofThreshold = [&](double first, double density, double densitySlope) {
+    const auto thresholdDerivative = [&](double first, double density, double densitySlope) {
       return -first + 0.5 * leverage(row) * densitySlope + 0.5 * shift(row) * density;
     };
     const auto above = static_cast<Index>(y_[i]);
     if (y_[i] < thresholds_) {
-      gradient(above) += ofThreshold(at.slopeAbove, at.densityAbove, at.densitySlopeAbove);
+      gradient(above) += thresholdDerivative(at.slopeAbove, at.densityAbove, at.densitySlopeAbove);
     }
     if (y_[i] > 0) {
-      gradient(above - 1) += ofThreshold(at.slopeBelow, at.densityBelow, at.densitySlopeBelow);
+      gradient(above - 1) +=
+          thresholdDerivative(at.slopeBelow, at.densityBelow, at.densitySlopeBelow);
     }
   }
   const auto first = static_cast<Index>(thresholds_);
   gradient.segment(first, x_.cols()) = x_.transpose() * ofPredictor;
   for (Index k = first + x_.cols(); const auto& indicator : indicators_) {
-    gradient(k++) = mode->u.dot(indicator * ofPredictor) + 0.5 * push.dot(indicator * slope) +
+    gradient(k++) = mode->u.dot(indicator * ofPredictor) +
+                    0.5 * twiceModeShift.dot(indicator * slope) +
                     (Sparse(root * indicator).cwiseProduct(half) * weight).sum();
   }
   return gradient;
@@ -153,11 +156,11 @@ std::optional<Derivatives> LaplaceLikelihood::derivatives(const VectorXd& parame
   if (!here) return std::nullopt;
   Derivatives derivatives{.gradient = *here, .hessian = Eigen::MatrixXd(size, size)};
   for (Index j = 0; j < size; ++j) {
-    const VectorXd step = kDifference * VectorXd::Unit(size, j);
+    const VectorXd step = kDifferenceStep * VectorXd::Unit(size, j);
     const auto after = gradient(parameters + step);
     const auto before = gradient(parameters - step);
     if (!after || !before) return std::nullopt;
-    derivatives.hessian.col(j) = (*after - *before) / (2.0 * kDifference);
+    derivatives.hessian.col(j) = (*after - *before) / (2.0 * kDifferenceStep);
   }
   derivatives.hessian = 0.5 * (derivatives.hessian + derivatives.hessian.transpose()).eval();
   return derivatives;
@@ -210,8 +213,8 @@ std::optional<LaplaceLikelihood::Mode> LaplaceLikelihood::findMode(const VectorX
   const VectorXd fixed = x_ * parameters.segment(first, x_.cols());
   Mode mode{.z = effectsOfAnswers(parameters), .u = u_, .answers = {}};
   mode.answers = answersAt(parameters, fixed + mode.z.transpose() * mode.u);
-  mode.penalised = penalised(mode.answers, mode.u);
-  for (int steps = 0; steps < kMostSteps && std::isfinite(mode.penalised); ++steps) {
+  mode.penalisedNegativeLog = penalisedNegativeLog(mode.answers, mode.u);
+  for (int steps = 0; steps < kMostSteps && std::isfinite(mode.penalisedNegativeLog); ++steps) {
     const VectorXd step = newtonStep(mode);
     if (step.isZero(0.0)) {
       u_ = mode.u;
@@ -221,9 +224,9 @@ std::optional<LaplaceLikelihood::Mode> LaplaceLikelihood::findMode(const VectorX
     for (int halving = 0; halving < kMostHalvings; ++halving, part *= 0.5) {
       const VectorXd u = mode.u + part * step;
       auto answers = answersAt(parameters, fixed + mode.z.transpose() * u);
-      const double value = penalised(answers, u);
-      if (!(value <= mode.penalised * (1.0 + kRounding))) continue;
-      mode.penalised = value;
+      const double value = penalisedNegativeLog(answers, u);
+      if (!(value <= mode.penalisedNegativeLog * (1.0 + kRounding))) continue;
+      mode.penalisedNegativeLog = value;
       mode.u = u;
       mode.answers = std::move(answers);
       break;

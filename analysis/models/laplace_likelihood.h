@@ -79,7 +79,7 @@ class LaplaceLikelihood {
     Sparse z;  ///< z_i in column i
     Eigen::VectorXd u;
     std::vector<CumulativeLogit> answers;
-    double penalised = 0.0;  ///< −Σ ln π + ½ uᵀu
+    double penalisedNegativeLog = 0.0;  ///< −Σ ln π + ½ uᵀu
   };
 
   Sparse effectsOfAnswers(const Eigen::VectorXd& parameters) const;

@@ -24,10 +24,10 @@ constexpr double kLargestLog = 40.0;  // e^40: beyond it no residual variance is
 constexpr double kFlat = 1e-14;       // reciprocal condition of a Hessian that has no inverse
 // Starting values of the random standard deviations, relative to that of the residuals; two, since
 // the deviance may have a second minimum.
-constexpr double kStarts[] = {0.5, 2.0};
+constexpr double kStartingDeviations[] = {0.5, 2.0};
 
 /// The quadratic form weightsᵀ · matrix · weights.
-double form(const VectorXd& weights, const std::vector<double>& matrix) {
+double quadraticForm(const VectorXd& weights, const std::vector<double>& matrix) {
   return weights.dot(Matrix::Map(matrix.data(), weights.size(), weights.size()) * weights);
 }
 
@@ -37,9 +37,9 @@ std::vector<double> rowByRow(const Matrix& matrix) {
 
 /// The deviance as a function of s_k = ln(1 + m_k φ_k), with m_k the mean number of answers per
 /// level. With one intercept and balanced data the deviance is convex in s, but not in φ.
-class LogScale {
+class LogScaleDeviance {
  public:
-  LogScale(const RestrictedDeviance& deviance, std::span<const Factor> random)
+  LogScaleDeviance(const RestrictedDeviance& deviance, std::span<const Factor> random)
       : deviance_(deviance), answersPerLevel_(static_cast<Eigen::Index>(random.size())) {
     for (Eigen::Index k = 0; const auto& factor : random) {
       answersPerLevel_(k++) = static_cast<double>(factor.levelOfAnswer.size()) /
@@ -72,20 +72,20 @@ class LogScale {
   VectorXd answersPerLevel_;
 };
 
-std::optional<Minimum> smallestDeviance(const LogScale& logScale, Eigen::Index intercepts) {
+std::optional<Minimum> smallestDeviance(const LogScaleDeviance& logScale, Eigen::Index intercepts) {
   const Objective objective{
       .value = [&](const VectorXd& s) { return logScale.value(s); },
       .derivatives = [&](const VectorXd& s) { return logScale.derivatives(s); },
       .lowerBound = 0.0};
   std::optional<Minimum> best;
-  for (const double start : kStarts) {
+  for (const double start : kStartingDeviations) {
     auto minimum = minimise(objective, VectorXd::Constant(intercepts, start));
     if (minimum.isFound && (!best || minimum.value < best->value)) best = std::move(minimum);
   }
   return best;
 }
 
-Reason whyNotDefinedHere(const RestrictedDeviance& deviance, std::span<const Factor> random) {
+Reason whyModelIsNotDefined(const RestrictedDeviance& deviance, std::span<const Factor> random) {
   if (deviance.isExplainedByFixedEffects()) {
     return reason("no_spread_beyond_fixed");
   }
@@ -123,10 +123,10 @@ std::optional<double> satterthwaite(const LinearMixedFit& fit, const VectorXd& w
   const auto variances = static_cast<Eigen::Index>(fit.covarianceDerivatives.size());
   VectorXd gradient(variances);
   for (Eigen::Index k = 0; const auto& derivative : fit.covarianceDerivatives) {
-    gradient(k++) = form(weights, derivative);
+    gradient(k++) = quadraticForm(weights, derivative);
   }
-  const double variance = form(weights, fit.covariance);
-  const double df = 2.0 * variance * variance / form(gradient, fit.varianceCovariance);
+  const double variance = quadraticForm(weights, fit.covariance);
+  const double df = 2.0 * variance * variance / quadraticForm(gradient, fit.varianceCovariance);
   return std::isfinite(df) && df > 0.0 ? std::optional(df) : std::nullopt;
 }
 
@@ -144,15 +144,15 @@ void addTest(TEstimate& estimate) {
     estimate.reason = reason("too_few_levels");
     return;
   }
-  const StudentDistribution law(*estimate.degreesOfFreedom);
-  estimate.p = law.twoSidedP(*estimate.t);
-  estimate.log10P = law.log10TwoSidedP(*estimate.t);
+  const StudentDistribution distribution(*estimate.degreesOfFreedom);
+  estimate.p = distribution.twoSidedP(*estimate.t);
+  estimate.log10P = distribution.log10TwoSidedP(*estimate.t);
 }
 
 TEstimate estimateOf(
     const LinearMixedFit& fit, std::string name, double value, const VectorXd& weights) {
   TEstimate estimate{.name = std::move(name), .estimate = value};
-  estimate.standardError = std::sqrt(std::max(0.0, form(weights, fit.covariance)));
+  estimate.standardError = std::sqrt(std::max(0.0, quadraticForm(weights, fit.covariance)));
   estimate.degreesOfFreedom = satterthwaite(fit, weights);
   addTest(estimate);
   return estimate;
@@ -207,10 +207,10 @@ LinearMixedResult fitLinearMixedModel(
   if (!result.reason.empty()) return result;
 
   const RestrictedDeviance deviance(y, fixed, random);
-  result.reason = whyNotDefinedHere(deviance, random);
+  result.reason = whyModelIsNotDefined(deviance, random);
   if (!result.reason.empty()) return result;
 
-  const LogScale logScale(deviance, random);
+  const LogScaleDeviance logScale(deviance, random);
   const auto minimum = smallestDeviance(logScale, static_cast<Eigen::Index>(random.size()));
   const VectorXd relative = minimum ? logScale.relativeVariances(minimum->at) : VectorXd();
   const auto solution = minimum ? deviance.solution(relative) : std::nullopt;

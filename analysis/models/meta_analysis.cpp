@@ -27,9 +27,9 @@ std::vector<double> sumsOfOthers(const std::vector<double>& values) {
 }
 
 /// The sites with their weights for one τ².
-class Weighted {
+class WeightedSites {
  public:
-  Weighted(std::span<const EstimateWithError> sites, double tauSquared) : sites_(sites) {
+  WeightedSites(std::span<const EstimateWithError> sites, double tauSquared) : sites_(sites) {
     double sum = 0.0;
     for (const auto& site : sites) {
       const double weight = 1.0 / (site.standardError * site.standardError + tauSquared);
@@ -86,14 +86,14 @@ class Weighted {
   double mean_ = 0.0;
 };
 
-double derSimonianLaird(const Weighted& equal) {
+double derSimonianLaird(const WeightedSites& equal) {
   return std::max(0.0, (equal.deviation(1) - equal.df()) / equal.trace());
 }
 
-constexpr double kExact = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr double kFullPrecision = 4.0 * std::numeric_limits<double>::epsilon();
 
-/// τ² of REML by Fisher scoring. The likelihood of few sites may have a second maximum at 0:
-/// compares the two.
+/// τ² of REML by Fisher scoring. The likelihood of few sites may have a second maximum at 0; the
+/// larger one of the two maxima is returned.
 double remlFrom(std::span<const EstimateWithError> sites, double start, double precision) {
   constexpr int kMostScorings = 10'000;
   double smallest = std::numeric_limits<double>::infinity();
@@ -102,17 +102,17 @@ double remlFrom(std::span<const EstimateWithError> sites, double start, double p
   }
   double tauSquared = start;
   for (int step = 0; step < kMostScorings; ++step) {
-    const Weighted weighted(sites, tauSquared);
+    const WeightedSites weighted(sites, tauSquared);
     const double change = (weighted.deviation(2) - weighted.trace()) / weighted.traceOfSquare();
     const double next = std::max(0.0, tauSquared + change);
     // The change is a difference of sums in 1 / (variance + τ²). Relative to a small τ² its last
     // digits are rounding noise, and the loop would never end.
-    const bool isStill = std::abs(next - tauSquared) <= precision * (next + smallest);
+    const bool hasConverged = std::abs(next - tauSquared) <= precision * (next + smallest);
     tauSquared = next;
-    if (isStill) break;
+    if (hasConverged) break;
   }
-  const bool isZeroBetter =
-      Weighted(sites, 0.0).restrictedDeviance() <= Weighted(sites, tauSquared).restrictedDeviance();
+  const bool isZeroBetter = WeightedSites(sites, 0.0).restrictedDeviance() <=
+                            WeightedSites(sites, tauSquared).restrictedDeviance();
   return isZeroBetter ? 0.0 : tauSquared;
 }
 
@@ -127,37 +127,38 @@ double spreadOf(std::span<const EstimateWithError> sites) {
 
 class Pooling {
  public:
-  Pooling(std::span<const EstimateWithError> sites, double level, double precision = kExact)
-      : sites_(sites), level_(level), precision_(precision), equal_(checked(sites), 0.0) {}
+  Pooling(std::span<const EstimateWithError> sites, double level, double precision = kFullPrecision)
+      : sites_(sites), level_(level), precision_(precision), commonEffect_(checked(sites), 0.0) {}
 
-  PooledEstimate pooledWith(double tauSquared, double between) const {
-    const Weighted weighted(sites_, tauSquared);
+  PooledEstimate pooledWith(double tauSquared, double varianceBetween) const {
+    const WeightedSites weighted(sites_, tauSquared);
     const double error = std::sqrt(1.0 / weighted.weight());
-    return estimate(weighted.mean(), error, std::nullopt, tauSquared, between);
+    return estimate(weighted.mean(), error, std::nullopt, tauSquared, varianceBetween);
   }
 
   PooledEstimate knappHartung(double tauSquared) const {
-    const Weighted weighted(sites_, tauSquared);
+    const WeightedSites weighted(sites_, tauSquared);
     const double q = std::max(1.0, weighted.deviation(1) / weighted.df());
     const double error = std::sqrt(q / weighted.weight());
     return estimate(weighted.mean(), error, weighted.df(), tauSquared, tauSquared);
   }
 
   double reml() const {
-    return remlFrom(sites_, std::max(derSimonianLaird(equal_), spreadOf(sites_)), precision_);
+    return remlFrom(
+        sites_, std::max(derSimonianLaird(commonEffect_), spreadOf(sites_)), precision_);
   }
 
   MetaAnalysis all() const {
-    const double simple = derSimonianLaird(equal_);
+    const double simple = derSimonianLaird(commonEffect_);
     const double largest = reml();
     MetaAnalysis result{
         .sites = sites_.size(),
-        .q = equal_.deviation(1),
+        .q = commonEffect_.deviation(1),
         .common = pooledWith(0.0, simple),
         .derSimonianLaird = pooledWith(simple, simple),
         .reml = pooledWith(largest, largest),
         .knappHartung = knappHartung(largest)};
-    result.heterogeneityP = chiSquaredP(result.q, equal_.df());
+    result.heterogeneityP = chiSquaredP(result.q, commonEffect_.df());
     return result;
   }
 
@@ -177,7 +178,7 @@ class Pooling {
       double error,
       std::optional<double> df,
       double tauSquared,
-      double between) const {
+      double varianceBetween) const {
     const double reach = error * (df ? StudentDistribution(*df).twoSidedQuantile(1.0 - level_)
                                      : normalTwoSidedQuantile(level_));
     const double statistic = mean / error;
@@ -189,13 +190,13 @@ class Pooling {
         .df = df,
         .p = df ? StudentDistribution(*df).twoSidedP(statistic) : normalTwoSidedP(statistic),
         .tauSquared = tauSquared,
-        .iSquared = between / (between + equal_.typicalVariance())};
+        .iSquared = varianceBetween / (varianceBetween + commonEffect_.typicalVariance())};
   }
 
   std::span<const EstimateWithError> sites_;
   double level_;
   double precision_;
-  Weighted equal_;  ///< τ² = 0
+  WeightedSites commonEffect_;  ///< τ² = 0
 };
 
 }  // namespace
@@ -205,8 +206,8 @@ MetaAnalysis pooled(std::span<const EstimateWithError> sites, double level) {
 }
 
 PooledEstimate pooledToFourDigits(std::span<const EstimateWithError> sites, double level) {
-  constexpr double kQuick = 1e-6;  // relative, of τ²: the results keep four digits
-  const Pooling pooling(sites, level, kQuick);
+  constexpr double kQuickPrecision = 1e-6;  // relative, of τ²: the results keep four digits
+  const Pooling pooling(sites, level, kQuickPrecision);
   return pooling.knappHartung(pooling.reml());
 }
 

@@ -40,7 +40,7 @@ struct RestrictedDeviance::Projection {
 };
 
 /// With V_k = Z_kZ_kᵀ: tr(PV_k), yᵀPV_kPy, tr(PV_kPV_l) and yᵀPV_kPV_lPy.
-struct RestrictedDeviance::Forms {
+struct RestrictedDeviance::QuadraticForms {
   VectorXd trace;
   VectorXd form;
   MatrixXd traces;
@@ -65,23 +65,23 @@ void RestrictedDeviance::addFixed(
   triangularFactor_ = qr.matrixQR().topRows(columns_).triangularView<Eigen::Upper>();
   x = qr.householderQ() * MatrixXd::Identity(answers_, columns_);
 
-  rest_ = VectorXd::Map(y.data(), answers_);
-  offset_ = rest_(0);
-  rest_.array() -= offset_;
-  sumOfSquares_ = (rest_.array() - rest_.mean()).matrix().squaredNorm();
-  coefficients_ = x.transpose() * rest_;
-  rest_ -= x * coefficients_;
-  // Projects a second time, because rounding left a part of X in the residuals.
-  const VectorXd correction = x.transpose() * rest_;
+  residuals_ = VectorXd::Map(y.data(), answers_);
+  offset_ = residuals_(0);
+  residuals_.array() -= offset_;
+  sumOfSquares_ = (residuals_.array() - residuals_.mean()).matrix().squaredNorm();
+  coefficients_ = x.transpose() * residuals_;
+  residuals_ -= x * coefficients_;
+  // Projects y on X a second time, because rounding left a part of X in the residuals.
+  const VectorXd correction = x.transpose() * residuals_;
   coefficients_ += correction;
-  rest_ -= x * correction;
-  residualSumOfSquares_ = rest_.squaredNorm();
+  residuals_ -= x * correction;
+  residualSumOfSquares_ = residuals_.squaredNorm();
 }
 
 void RestrictedDeviance::addRandom(std::span<const Factor> random, const MatrixXd& x) {
   Index effects = 0;
   for (const auto& factor : random) {
-    from_.push_back(effects);
+    firstEffect_.push_back(effects);
     levels_.push_back(static_cast<Index>(factor.levels.size()));
     effects += levels_.back();
   }
@@ -91,11 +91,11 @@ void RestrictedDeviance::addRandom(std::span<const Factor> random, const MatrixX
   for (Index i = 0; i < answers_; ++i) {
     const auto answer = static_cast<std::size_t>(i);
     for (std::size_t k = 0; k < random.size(); ++k) {
-      const Index row = from_[k] + static_cast<Index>(random[k].levelOfAnswer[answer]);
+      const Index row = firstEffect_[k] + static_cast<Index>(random[k].levelOfAnswer[answer]);
       ztx_.row(row) += x.row(i);
-      zty_(row) += rest_(i);
+      zty_(row) += residuals_(i);
       for (std::size_t l = 0; l < random.size(); ++l) {
-        ztz_(row, from_[l] + static_cast<Index>(random[l].levelOfAnswer[answer])) += 1.0;
+        ztz_(row, firstEffect_[l] + static_cast<Index>(random[l].levelOfAnswer[answer])) += 1.0;
       }
     }
   }
@@ -103,66 +103,68 @@ void RestrictedDeviance::addRandom(std::span<const Factor> random, const MatrixX
 
 std::optional<RestrictedDeviance::Profile> RestrictedDeviance::profileAt(
     const VectorXd& relativeVariances) const {
-  Profile at;
-  at.root = VectorXd::Zero(zty_.size());
+  Profile profile;
+  profile.root = VectorXd::Zero(zty_.size());
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     const double variance = relativeVariances(static_cast<Index>(k));
-    at.root.segment(from_[k], levels_[k]).setConstant(std::sqrt(variance));
+    profile.root.segment(firstEffect_[k], levels_[k]).setConstant(std::sqrt(variance));
   }
-  MatrixXd system = at.root.asDiagonal() * ztz_ * at.root.asDiagonal();
+  MatrixXd system = profile.root.asDiagonal() * ztz_ * profile.root.asDiagonal();
   system.diagonal().array() += 1.0;
-  at.system.compute(system);
+  profile.system.compute(system);
 
-  at.reducedX = at.system.matrixL().solve(at.root.asDiagonal() * ztx_);
-  at.reducedY = at.system.matrixL().solve(at.root.asDiagonal() * zty_);
-  at.information.compute(
-      MatrixXd::Identity(columns_, columns_) - at.reducedX.transpose() * at.reducedX);
-  const VectorXd right = -at.reducedX.transpose() * at.reducedY;
-  at.shift = at.information.solve(right);
-  at.residual = residualSumOfSquares_ - at.reducedY.squaredNorm() - right.dot(at.shift);
+  profile.reducedX = profile.system.matrixL().solve(profile.root.asDiagonal() * ztx_);
+  profile.reducedY = profile.system.matrixL().solve(profile.root.asDiagonal() * zty_);
+  profile.information.compute(
+      MatrixXd::Identity(columns_, columns_) - profile.reducedX.transpose() * profile.reducedX);
+  const VectorXd right = -profile.reducedX.transpose() * profile.reducedY;
+  profile.shift = profile.information.solve(right);
+  profile.residual =
+      residualSumOfSquares_ - profile.reducedY.squaredNorm() - right.dot(profile.shift);
   const bool isSolved =
-      at.system.info() == Eigen::Success && at.information.info() == Eigen::Success;
-  if (!isSolved || !(at.residual > kNegligible * residualSumOfSquares_)) return std::nullopt;
+      profile.system.info() == Eigen::Success && profile.information.info() == Eigen::Success;
+  if (!isSolved || !(profile.residual > kNegligible * residualSumOfSquares_)) return std::nullopt;
 
   const double df = degreesOfFreedom();
-  const double logDeterminants = at.system.matrixLLT().diagonal().array().log().sum() +
-                                 at.information.matrixLLT().diagonal().array().log().sum() +
+  const double logDeterminants = profile.system.matrixLLT().diagonal().array().log().sum() +
+                                 profile.information.matrixLLT().diagonal().array().log().sum() +
                                  triangularFactor_.diagonal().array().abs().log().sum();
-  at.deviance =
-      2.0 * logDeterminants + df * (1.0 + std::log(2.0 * std::numbers::pi * at.residual / df));
-  if (!std::isfinite(at.deviance)) return std::nullopt;
-  return at;
+  profile.deviance =
+      2.0 * logDeterminants + df * (1.0 + std::log(2.0 * std::numbers::pi * profile.residual / df));
+  if (!std::isfinite(profile.deviance)) return std::nullopt;
+  return profile;
 }
 
-RestrictedDeviance::Projection RestrictedDeviance::projectionOf(const Profile& at) const {
-  const MatrixXd reducedZ = at.system.matrixL().solve(at.root.asDiagonal() * ztz_);
+RestrictedDeviance::Projection RestrictedDeviance::projectionOf(const Profile& profile) const {
+  const MatrixXd reducedZ = profile.system.matrixL().solve(profile.root.asDiagonal() * ztz_);
   Projection projection;
-  projection.zvx = ztx_ - reducedZ.transpose() * at.reducedX;
-  const MatrixXd half = at.information.matrixL().solve(projection.zvx.transpose());
+  projection.zvx = ztx_ - reducedZ.transpose() * profile.reducedX;
+  const MatrixXd half = profile.information.matrixL().solve(projection.zvx.transpose());
   projection.zpz = ztz_;
   projection.zpz.noalias() -= reducedZ.transpose() * reducedZ;
   projection.zpz.noalias() -= half.transpose() * half;
-  projection.zpy = zty_ - reducedZ.transpose() * at.reducedY - projection.zvx * at.shift;
+  projection.zpy = zty_ - reducedZ.transpose() * profile.reducedY - projection.zvx * profile.shift;
   return projection;
 }
 
-RestrictedDeviance::Forms RestrictedDeviance::formsOf(const Projection& projection) const {
+RestrictedDeviance::QuadraticForms RestrictedDeviance::formsOf(const Projection& projection) const {
   const auto size = static_cast<Index>(levels_.size());
-  Forms of{
+  QuadraticForms of{
       .trace = VectorXd(size),
       .form = VectorXd(size),
       .traces = MatrixXd(size, size),
       .forms = MatrixXd(size, size)};
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     const auto row = static_cast<Index>(k);
-    const auto yk = projection.zpy.segment(from_[k], levels_[k]);
-    of.trace(row) = projection.zpz.diagonal().segment(from_[k], levels_[k]).sum();
+    const auto yk = projection.zpy.segment(firstEffect_[k], levels_[k]);
+    of.trace(row) = projection.zpz.diagonal().segment(firstEffect_[k], levels_[k]).sum();
     of.form(row) = yk.squaredNorm();
     for (std::size_t l = 0; l < levels_.size(); ++l) {
       const auto column = static_cast<Index>(l);
-      const auto block = projection.zpz.block(from_[k], from_[l], levels_[k], levels_[l]);
+      const auto block =
+          projection.zpz.block(firstEffect_[k], firstEffect_[l], levels_[k], levels_[l]);
       of.traces(row, column) = block.squaredNorm();
-      of.forms(row, column) = yk.dot(block * projection.zpy.segment(from_[l], levels_[l]));
+      of.forms(row, column) = yk.dot(block * projection.zpy.segment(firstEffect_[l], levels_[l]));
     }
   }
   return of;
@@ -195,46 +197,46 @@ bool RestrictedDeviance::isExplainedByFixedEffects() const {
 
 bool RestrictedDeviance::isExplainedByFixedEffects(std::size_t intercept) const {
   const auto answers = static_cast<double>(answers_);
-  const auto its = ztx_.middleRows(from_[intercept], levels_[intercept]);
+  const auto its = ztx_.middleRows(firstEffect_[intercept], levels_[intercept]);
   return answers - its.squaredNorm() < kNegligible * answers;
 }
 
 std::optional<double> RestrictedDeviance::value(const VectorXd& relativeVariances) const {
-  const auto at = profileAt(relativeVariances);
-  return at ? std::optional(at->deviance) : std::nullopt;
+  const auto profile = profileAt(relativeVariances);
+  return profile ? std::optional(profile->deviance) : std::nullopt;
 }
 
 std::optional<Derivatives> RestrictedDeviance::derivatives(
     const VectorXd& relativeVariances) const {
-  const auto at = profileAt(relativeVariances);
-  if (!at) return std::nullopt;
-  auto [trace, form, traces, forms] = formsOf(projectionOf(*at));
+  const auto profile = profileAt(relativeVariances);
+  if (!profile) return std::nullopt;
+  auto [trace, form, traces, forms] = formsOf(projectionOf(*profile));
 
   const double df = degreesOfFreedom();
-  form *= df / at->residual;
-  forms *= df / at->residual;
+  form *= df / profile->residual;
+  forms *= df / profile->residual;
   return Derivatives{
       .gradient = trace - form, .hessian = -traces + 2.0 * forms - form * form.transpose() / df};
 }
 
 std::optional<RestrictedSolution> RestrictedDeviance::solution(
     const VectorXd& relativeVariances) const {
-  const auto at = profileAt(relativeVariances);
-  if (!at) return std::nullopt;
-  const auto projection = projectionOf(*at);
+  const auto profile = profileAt(relativeVariances);
+  if (!profile) return std::nullopt;
+  const auto projection = projectionOf(*profile);
   const auto upper = triangularFactor_.triangularView<Eigen::Upper>();
   const MatrixXd inverse = upper.solve(MatrixXd::Identity(columns_, columns_));
-  const MatrixXd half = at->information.solve(inverse.transpose());
+  const MatrixXd half = profile->information.solve(inverse.transpose());
   MatrixXd ofResiduals = inverse * half;  // the covariance, relative to σ²
 
   RestrictedSolution solution;
-  solution.deviance = at->deviance;
-  solution.residualVariance = at->residual / degreesOfFreedom();
-  solution.coefficients = inverse * (coefficients_ + at->shift);
+  solution.deviance = profile->deviance;
+  solution.residualVariance = profile->residual / degreesOfFreedom();
+  solution.coefficients = inverse * (coefficients_ + profile->shift);
   solution.coefficients(0) += offset_;  // the intercept
   solution.covariance = solution.residualVariance * ofResiduals;
   for (std::size_t k = 0; k < levels_.size(); ++k) {
-    const MatrixXd root = projection.zvx.middleRows(from_[k], levels_[k]) * half;
+    const MatrixXd root = projection.zvx.middleRows(firstEffect_[k], levels_[k]) * half;
     solution.covarianceDerivatives.emplace_back(root.transpose() * root);
     ofResiduals -= relativeVariances(static_cast<Index>(k)) * solution.covarianceDerivatives.back();
   }

@@ -57,13 +57,13 @@ class RestrictedDeviance {
  private:
   struct Profile;
   struct Projection;
-  struct Forms;
+  struct QuadraticForms;
 
   void addFixed(std::span<const double> y, const FixedEffects& fixed, Eigen::MatrixXd& x);
   void addRandom(std::span<const Factor> random, const Eigen::MatrixXd& x);
   std::optional<Profile> profileAt(const Eigen::VectorXd& relativeVariances) const;
-  Projection projectionOf(const Profile& at) const;
-  Forms formsOf(const Projection& projection) const;
+  Projection projectionOf(const Profile& profile) const;
+  QuadraticForms formsOf(const Projection& projection) const;
   Eigen::MatrixXd varianceHessian(
       const Projection& projection, double variance, const Eigen::VectorXd& relative) const;
   double degreesOfFreedom() const { return static_cast<double>(answers_ - columns_); }
@@ -72,11 +72,11 @@ class RestrictedDeviance {
   Eigen::Index columns_;
   std::vector<Eigen::Index> levels_;  ///< number of levels of each random intercept
   /// For each random intercept, the index of its first random effect.
-  std::vector<Eigen::Index> from_;
+  std::vector<Eigen::Index> firstEffect_;
   double offset_ = 0.0;                ///< y of the first answer, subtracted from all
   double sumOfSquares_ = 0.0;          ///< of y around its mean
-  double residualSumOfSquares_ = 0.0;  ///< sum of squares of rest_
-  Eigen::VectorXd rest_;               ///< y without the fixed effects
+  double residualSumOfSquares_ = 0.0;  ///< sum of squares of residuals_
+  Eigen::VectorXd residuals_;          ///< y without the fixed effects
   Eigen::MatrixXd triangularFactor_;   ///< R of X = QR, with Q orthonormal
   Eigen::VectorXd coefficients_;       ///< least-squares coefficients of the orthonormalised X
   Eigen::MatrixXd ztz_;

@@ -66,7 +66,7 @@ double logTail(double t, double degreesOfFreedom) {
 }
 
 /// P(|T| < |t|), to full precision where it is below one half.
-double centre(double t, double degreesOfFreedom) {
+double centralProbability(double t, double degreesOfFreedom) {
   return boost::math::ibeta(0.5, 0.5 * degreesOfFreedom, t * t / (degreesOfFreedom + t * t));
 }
 
@@ -142,14 +142,15 @@ StudentDistribution::StudentDistribution(double degreesOfFreedom)
 double StudentDistribution::twoSidedP(double t) const {
   if (std::abs(t) >= kLargeT) return std::exp(logTail(std::abs(t), degreesOfFreedom_));
   // Near zero the central probability is the smaller one, and keeps digits that Boost's tail loses.
-  if (std::abs(t) < kSmallT) return 1.0 - centre(t, degreesOfFreedom_);
+  if (std::abs(t) < kSmallT) return 1.0 - centralProbability(t, degreesOfFreedom_);
   const boost::math::students_t distribution(degreesOfFreedom_);
   return 2.0 * boost::math::cdf(boost::math::complement(distribution, std::abs(t)));
 }
 
 double StudentDistribution::log10TwoSidedP(double t) const {
   const double p = twoSidedP(t);
-  if (std::abs(t) < kSmallT) return std::log1p(-centre(t, degreesOfFreedom_)) / std::numbers::ln10;
+  if (std::abs(t) < kSmallT)
+    return std::log1p(-centralProbability(t, degreesOfFreedom_)) / std::numbers::ln10;
   if (p > kSmallestExactP) return std::log10(p);
   return logTail(std::abs(t), degreesOfFreedom_) / std::numbers::ln10;
 }

@@ -17,7 +17,7 @@ constexpr Int128 kOne = 1;
 constexpr int kDigits = 120;  // binary digits; a double-double has at least 106
 
 constexpr std::int64_t kMostParts = 1000;
-constexpr double kNoise = 1e-12;  // relative to the largest number
+constexpr double kRoundingNoise = 1e-12;  // relative to the largest number
 // For larger multiples, any numbers would have a common unit by chance.
 constexpr double kMostMultiples = 1e6;
 
@@ -119,7 +119,7 @@ std::optional<ScaledIntegers> commonUnitOf(std::span<const double> numbers) {
   for (std::int64_t parts = 1; parts <= kMostParts; ++parts) {
     const auto q = static_cast<double>(parts);
     if (largest * q > kMostMultiples) return std::nullopt;
-    const double noise = kNoise * largest * q;
+    const double noise = kRoundingNoise * largest * q;
     const bool fits = std::ranges::all_of(numbers, [&](double number) {
       return std::abs(number * q - std::round(number * q)) <= noise;
     });

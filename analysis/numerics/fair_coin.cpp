@@ -13,16 +13,16 @@ namespace analysis {
 namespace {
 
 /// number · 2^exponent
-struct Scaled {
+struct ScaledNumber {
   DoubleDouble number;
   int exponent = 0;
 };
 
 /// C(n, k), for k ≤ n/2. Every partial product is itself a binomial coefficient; powers of two are
 /// factored out before a product overflows.
-Scaled binomial(double n, double k) {
+ScaledNumber binomial(double n, double k) {
   constexpr int kStep = 500;
-  Scaled result{.number = 1.0, .exponent = 0};
+  ScaledNumber result{.number = 1.0, .exponent = 0};
   for (double i = 1.0; i <= k; ++i) {
     result.number = result.number * (n - k + i) / i;
     if (result.number.high < 0x1p500) continue;
@@ -32,15 +32,16 @@ Scaled binomial(double n, double k) {
   return result;
 }
 
-SmallProbability probabilityOf(const Scaled& scaledP) {
+SmallProbability probabilityOf(const ScaledNumber& scaledP) {
   return {
       .p = toDouble(scaledP.number, scaledP.exponent),
       .log10P = (std::log2(scaledP.number.high) + scaledP.exponent) /
                 (std::numbers::ln10 / std::numbers::ln2)};
 }
 
-/// P(heads ≤ k) for k ≤ n/2: the last term C(n, k) / 2ⁿ times the sum of all terms relative to it.
-Scaled lowerTail(std::uint64_t heads, std::uint64_t tosses) {
+/// P(heads ≤ k) for k ≤ n/2, computed as the last term C(n, k) / 2ⁿ times the sum of all terms
+/// divided by it.
+ScaledNumber lowerTail(std::uint64_t heads, std::uint64_t tosses) {
   const auto n = static_cast<double>(tosses);
   const auto k = static_cast<double>(heads);
   DoubleDouble sum = 1.0;
@@ -50,13 +51,13 @@ Scaled lowerTail(std::uint64_t heads, std::uint64_t tosses) {
     term = term * i / (n - i + 1.0);
     sum = sum + term;
   }
-  Scaled result = binomial(n, k);
+  ScaledNumber result = binomial(n, k);
   result.number = result.number * sum;
   result.exponent -= static_cast<int>(tosses);
   return result;
 }
 
-void require(std::uint64_t heads, std::uint64_t tosses) {
+void requireValidToss(std::uint64_t heads, std::uint64_t tosses) {
   if (heads > tosses) throw std::invalid_argument("there are more heads than tosses");
   if (tosses > kMostBinomialTrials)
     throw std::invalid_argument("there are too many tosses of a coin");
@@ -78,7 +79,7 @@ DoubleDouble halfOf(const DoubleDouble& number) {
 }  // namespace
 
 SmallProbability symmetricBinomialCdf(std::uint64_t heads, std::uint64_t tosses) {
-  require(heads, tosses);
+  requireValidToss(heads, tosses);
   if (2 * heads <= tosses) return probabilityOf(lowerTail(heads, tosses));
   if (heads == tosses) return {.p = 1.0, .log10P = 0.0};
   const double above = probabilityOf(lowerTail(tosses - heads - 1, tosses)).p.value_or(0.0);
@@ -86,9 +87,9 @@ SmallProbability symmetricBinomialCdf(std::uint64_t heads, std::uint64_t tosses)
 }
 
 SmallProbability symmetricBinomialP(std::uint64_t heads, std::uint64_t tosses) {
-  require(heads, tosses);
+  requireValidToss(heads, tosses);
   if (2 * heads == tosses) return {.p = 1.0, .log10P = 0.0};
-  Scaled tail = lowerTail(std::min(heads, tosses - heads), tosses);
+  ScaledNumber tail = lowerTail(std::min(heads, tosses - heads), tosses);
   ++tail.exponent;
   const SmallProbability both = probabilityOf(tail);
   return both.log10P < 0.0 ? both : SmallProbability{.p = 1.0, .log10P = 0.0};

@@ -20,7 +20,7 @@ constexpr int kLastSteps = 3;  // each step of Newton's method doubles the numbe
 // The minimised likelihoods have parameters of the order of one.
 constexpr double kLongestStep = 2.0;
 // Least decrease of the function, relative to the decrease that the gradient predicts (Armijo).
-constexpr double kSufficientFall = 1e-4;
+constexpr double kSufficientDecrease = 1e-4;
 // Relative to the largest curvature; a direction of less curvature is flat.
 constexpr double kSmallestCurvature = 1e-10;
 constexpr double kNearMinimum = 1e-8;  // predicted decrease of a step, relative to the value
@@ -31,7 +31,7 @@ struct Step {
   bool isConvex = true;
 };
 
-/// The Newton step in the parameters that the gradient does not push against the bound.
+/// The Newton step. A parameter at the bound is kept fixed if the function falls beyond the bound.
 Step newtonStep(const VectorXd& at, const Derivatives& derivatives, double lowerBound) {
   std::vector<Index> free;
   for (Index i = 0; i < at.size(); ++i) {
@@ -64,8 +64,10 @@ bool descend(const Objective& objective, const Step& step, Minimum& minimum) {
     VectorXd point = (minimum.at + part * step.move).cwiseMax(objective.lowerBound);
     const auto value = objective.value(point);
     // Uses the projected step, which the bound may have shortened.
-    const double wanted = kSufficientFall * minimum.derivatives.gradient.dot(minimum.at - point);
-    if (!value || !(*value <= minimum.value - wanted) || !(wanted > 0.0)) continue;
+    const double requiredDecrease =
+        kSufficientDecrease * minimum.derivatives.gradient.dot(minimum.at - point);
+    if (!value || !(*value <= minimum.value - requiredDecrease) || !(requiredDecrease > 0.0))
+      continue;
     minimum.at = std::move(point);
     minimum.value = *value;
     return true;

@@ -78,7 +78,7 @@ double logUpperTail(double q, std::size_t k) {
   return std::min(0.0, largest + std::log(sum * kStep * static_cast<double>(k)));
 }
 
-void require(double q, std::size_t k) {
+void requireValidRange(double q, std::size_t k) {
   constexpr std::size_t kMostGroups = 10'000;
   constexpr double kLargest = 1e5;
   if (!(q >= 0.0 && q <= kLargest))
@@ -141,12 +141,12 @@ double chiSquaredUpperQuantile(double p, double degreesOfFreedom) {
 }
 
 double studentizedRangeP(double q, std::size_t k) {
-  require(q, k);
+  requireValidRange(q, k);
   return std::exp(logUpperTail(q, k));
 }
 
 double log10StudentizedRangeP(double q, std::size_t k) {
-  require(q, k);
+  requireValidRange(q, k);
   return logUpperTail(q, k) / std::numbers::ln10;
 }
 

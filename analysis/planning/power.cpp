@@ -12,21 +12,21 @@
 namespace analysis {
 namespace {
 
-void require(bool isSound, const char* what) {
+void requireThat(bool isSound, const char* what) {
   if (!isSound) throw std::invalid_argument(what);
 }
 
 }  // namespace
 
 double pairedTPower(double dz, std::uint64_t n, double alpha) {
-  require(n >= 2, "a paired test needs two participants");
+  requireThat(n >= 2, "a paired test needs two participants");
   const auto participants = static_cast<double>(n);
   return twoSidedTPower(dz * std::sqrt(participants), participants - 1.0, alpha);
 }
 
 double twoSidedTPower(double noncentrality, double df, double alpha) {
-  require(alpha > 0.0 && alpha < 1.0, "alpha lies between 0 and 1");
-  require(std::isfinite(noncentrality), "an effect is a number");
+  requireThat(alpha > 0.0 && alpha < 1.0, "alpha lies between 0 and 1");
+  requireThat(std::isfinite(noncentrality), "an effect is a number");
   const double critical = StudentDistribution(df).twoSidedQuantile(alpha);
   const double shift = std::abs(noncentrality);
   if (shift == 0.0) return alpha;
@@ -34,15 +34,15 @@ double twoSidedTPower(double noncentrality, double df, double alpha) {
   constexpr double kLargestShift = 1000.0;
   if (shift > std::max(kLargestShift, 50.0 * critical)) return 1.0;
   // For larger shifts Boost's series, used below, would be slow.
-  constexpr double kFarOut = 100.0;
-  if (shift > kFarOut) return 1.0 - noncentralTProbability(critical, df, shift);
-  const boost::math::non_central_t law(df, shift);
-  const double right = boost::math::cdf(boost::math::complement(law, critical));
-  return std::min(1.0, right + boost::math::cdf(law, -critical));
+  constexpr double kLargestForSeries = 100.0;
+  if (shift > kLargestForSeries) return 1.0 - noncentralTProbability(critical, df, shift);
+  const boost::math::non_central_t distribution(df, shift);
+  const double right = boost::math::cdf(boost::math::complement(distribution, critical));
+  return std::min(1.0, right + boost::math::cdf(distribution, -critical));
 }
 
 std::optional<std::uint64_t> participantsForPower(double dz, double alpha, double power) {
-  require(std::isfinite(dz), "an effect is a number");
+  requireThat(std::isfinite(dz), "an effect is a number");
   return fewestParticipants(2, alpha, power, [&](std::uint64_t n) {
     return dz != 0.0 && pairedTPower(dz, n, alpha) >= power;
   });
@@ -53,8 +53,8 @@ std::optional<std::uint64_t> fewestParticipants(
     double alpha,
     double power,
     const std::function<bool(std::uint64_t)>& suffices) {
-  require(alpha > 0.0 && alpha < 1.0, "alpha lies between 0 and 1");
-  require(power > alpha && power < 1.0, "a power lies between alpha and 1");
+  requireThat(alpha > 0.0 && alpha < 1.0, "alpha lies between 0 and 1");
+  requireThat(power > alpha && power < 1.0, "a power lies between alpha and 1");
   std::uint64_t tooFew = least - 1;
   std::uint64_t enough = least;
   while (!suffices(enough)) {

@@ -19,8 +19,8 @@ namespace analysis {
 ///     and 1, or an effect that is not finite.
 double pairedTPower(double dz, std::uint64_t n, double alpha);
 
-/// P(|T| > t_c) of a noncentral t, and t_c the two-sided critical value of Student's t, with @p df
-/// degrees of freedom each.
+/// P(|T| > t_c): T is noncentral t, and t_c is the two-sided critical value of Student's t, both
+/// with @p df degrees of freedom.
 /// @throws std::invalid_argument  for an alpha that is not between 0 and 1, a noncentrality that is
 ///     not finite, or degrees of freedom that are not finite and at least 1.
 double twoSidedTPower(double noncentrality, double df, double alpha);

@@ -66,22 +66,22 @@ int LikertCohort::pointAt(double x) const {
 
 std::vector<double> LikertCohort::drawSiteShifts(double deviation) {
   // The difference of two independent shifts has √2 times the deviation of each.
-  const double each = deviation * model_.sdOfDifferences() / std::numbers::sqrt2;
+  const double siteDeviation = deviation * model_.sdOfDifferences() / std::numbers::sqrt2;
   std::vector<double> shifts;
-  for (int c = 0; c < model_.conditions; ++c) shifts.push_back(each * normal());
+  for (int c = 0; c < model_.conditions; ++c) shifts.push_back(siteDeviation * normal());
   return shifts;
 }
 
 LikertAnswers LikertCohort::next(std::span<const double> shifts) {
-  const double ofPerson = std::sqrt(model_.participantShare) * normal();
+  const double personEffect = std::sqrt(model_.participantShare) * normal();
   LikertAnswers answers;
   for (int c = 0; c < model_.conditions; ++c) {
     const double shift = shifts.empty() ? 0.0 : shifts[static_cast<std::size_t>(c)];
-    const double level = (c == 0 ? latentMeanOfFirst_ : 0.0) + ofPerson + shift +
+    const double level = (c == 0 ? latentMeanOfFirst_ : 0.0) + personEffect + shift +
                          std::sqrt(model_.participantByConditionShare) * normal();
-    auto& ofCondition = answers.emplace_back();
+    auto& conditionAnswers = answers.emplace_back();
     for (int i = 0; i < model_.answers; ++i) {
-      ofCondition.push_back(pointAt(level + std::sqrt(model_.residualShare) * normal()));
+      conditionAnswers.push_back(pointAt(level + std::sqrt(model_.residualShare) * normal()));
     }
   }
   return answers;
@@ -89,7 +89,7 @@ LikertAnswers LikertCohort::next(std::span<const double> shifts) {
 
 namespace {
 
-constexpr std::size_t kMostExact = 50;
+constexpr std::size_t kMostExactDifferences = 50;
 using Sums = std::vector<int>;  ///< of one participant's answers, by condition
 
 /// Twice the midranks, which are whole numbers.
@@ -105,7 +105,8 @@ std::vector<int> doubledRanks(const std::vector<int>& values) {
   return ranks;
 }
 
-/// P(sum of the positive doubled ranks ≤ @p least), over all 2ⁿ assignments of signs.
+/// P(sum of the positive doubled ranks ≤ @p least), if all 2ⁿ assignments of signs are equally
+/// likely.
 double lowerTail(const std::vector<int>& doubled, int least) {
   std::vector<double> ways(static_cast<std::size_t>(least) + 1, 0.0);
   ways[0] = 1.0;
@@ -134,7 +135,7 @@ double signedRankP(const std::vector<int>& differences) {
   }
   const int total = std::accumulate(doubled.begin(), doubled.end(), 0);
   const int least = std::min(positive, total - positive);
-  if (sizes.size() <= kMostExact) return std::min(1.0, 2.0 * lowerTail(doubled, least));
+  if (sizes.size() <= kMostExactDifferences) return std::min(1.0, 2.0 * lowerTail(doubled, least));
 
   double variance = 0.0;  // of the doubled sum: Σ r² / 4, ties included
   for (const int rank : doubled) variance += 0.25 * rank * rank;
@@ -144,26 +145,27 @@ double signedRankP(const std::vector<int>& differences) {
 
 /// One simulated study and the critical values of its tests. For speed, the tests use integer sums
 /// and critical values that are computed once: a power simulation runs thousands of studies.
-class Trial {
+class SimulatedStudy {
  public:
-  explicit Trial(const PowerSimulation& s)
+  explicit SimulatedStudy(const PowerSimulation& s)
       : conditions_(static_cast<std::size_t>(s.model.conditions)),
         answers_(s.model.answers),
         level_(s.alpha / static_cast<double>(s.comparisons)),
         criticalT_(
             StudentDistribution(static_cast<double>(s.participants - 1)).twoSidedQuantile(level_)),
-        criticalChi_(chiSquaredUpperQuantile(s.alpha, static_cast<double>(conditions_ - 1))) {}
+        criticalChiSquared_(
+            chiSquaredUpperQuantile(s.alpha, static_cast<double>(conditions_ - 1))) {}
 
   void draw(LikertCohort& cohort, std::uint64_t participants) {
     sums_.clear();
-    total_.assign(conditions_, 0.0);
+    totals_.assign(conditions_, 0.0);
     squares_.assign(conditions_, 0.0);
     for (std::uint64_t i = 0; i < participants; ++i) {
       auto& sums = sums_.emplace_back();
       const auto answers = cohort.next();
       for (std::size_t c = 0; c < conditions_; ++c) {
         sums.push_back(std::accumulate(answers[c].begin(), answers[c].end(), 0));
-        total_[c] += sums[c];
+        totals_[c] += sums[c];
         for (const int answer : answers[c]) squares_[c] += answer * answer;
       }
     }
@@ -187,11 +189,11 @@ class Trial {
 
   bool pooledWelch(std::size_t a, std::size_t b) {
     const double n = static_cast<double>(sums_.size()) * answers_;
-    const double va = (n * squares_[a] - total_[a] * total_[a]) / (n * n * (n - 1.0));
-    const double vb = (n * squares_[b] - total_[b] * total_[b]) / (n * n * (n - 1.0));
+    const double va = (n * squares_[a] - totals_[a] * totals_[a]) / (n * n * (n - 1.0));
+    const double vb = (n * squares_[b] - totals_[b] * totals_[b]) / (n * n * (n - 1.0));
     if (!(va + vb > 0.0)) return false;
     const double df = (n - 1.0) * (va + vb) * (va + vb) / (va * va + vb * vb);
-    const double t = std::abs(total_[a] - total_[b]) / n / std::sqrt(va + vb);
+    const double t = std::abs(totals_[a] - totals_[b]) / n / std::sqrt(va + vb);
     // The critical t falls with the degrees of freedom, so most cases are decided without computing
     // p.
     if (t < quantileAt(std::ceil(df))) return false;
@@ -214,11 +216,11 @@ class Trial {
     double spread = 0.0;
     for (const double rank : ranks) spread += std::pow(rank - 0.5 * n * (k + 1.0), 2);
     const double scale = n * k * (k + 1.0) - ties / (k - 1.0);
-    return scale > 0.0 && 12.0 * spread >= criticalChi_ * scale;
+    return scale > 0.0 && 12.0 * spread >= criticalChiSquared_ * scale;
   }
 
   template <typename Test>
-  bool anyPair(const Test& test) const {
+  bool isSignificantForAnyPair(const Test& test) const {
     for (std::size_t a = 0; a < conditions_; ++a) {
       for (std::size_t b = a + 1; b < conditions_; ++b) {
         if (test(a, b)) return true;
@@ -244,10 +246,10 @@ class Trial {
   int answers_;
   double level_;  ///< α of one comparison
   double criticalT_;
-  double criticalChi_;
+  double criticalChiSquared_;
   std::map<double, double> quantiles_;  ///< of Student's t, by degrees of freedom
   std::vector<Sums> sums_;              ///< [participant][condition]
-  std::vector<double> total_;           ///< Σ x over all answers to a condition
+  std::vector<double> totals_;          ///< Σ x over all answers to a condition
   std::vector<double> squares_;         ///< Σ x²
 };
 
@@ -271,18 +273,18 @@ void PowerSimulation::check() const {
 SimulatedPower simulatePower(const PowerSimulation& simulation) {
   simulation.check();
   LikertCohort cohort(simulation.model, simulation.seed);
-  Trial trial(simulation);
+  SimulatedStudy study(simulation);
   std::array<std::uint64_t, 6> found{};
   for (std::uint64_t i = 0; i < simulation.studies; ++i) {
-    trial.draw(cohort, simulation.participants);
-    const auto paired = [&](std::size_t a, std::size_t b) { return trial.pairedT(a, b); };
-    const auto welch = [&](std::size_t a, std::size_t b) { return trial.pooledWelch(a, b); };
+    study.draw(cohort, simulation.participants);
+    const auto paired = [&](std::size_t a, std::size_t b) { return study.pairedT(a, b); };
+    const auto welch = [&](std::size_t a, std::size_t b) { return study.pooledWelch(a, b); };
     found[0] += paired(0, 1) ? 1 : 0;
-    found[1] += trial.signedRank(0, 1) ? 1 : 0;
-    found[2] += trial.friedman() ? 1 : 0;
-    found[3] += trial.anyPair(paired) ? 1 : 0;
+    found[1] += study.signedRank(0, 1) ? 1 : 0;
+    found[2] += study.friedman() ? 1 : 0;
+    found[3] += study.isSignificantForAnyPair(paired) ? 1 : 0;
     found[4] += welch(0, 1) ? 1 : 0;
-    found[5] += trial.anyPair(welch) ? 1 : 0;
+    found[5] += study.isSignificantForAnyPair(welch) ? 1 : 0;
   }
   const auto rate = [&](std::size_t which) {
     return DetectionRate::of(found[which], simulation.studies);

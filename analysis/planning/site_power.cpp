@@ -27,20 +27,21 @@ void checkSites(const SitePlan& plan, std::uint64_t participants) {
 using SiteSums = std::vector<std::vector<int>>;
 
 /// One simulated study at several sites.
-class SiteTrial {
+class SimulatedSiteStudy {
  public:
-  SiteTrial(const PowerSimulation& simulation, const SitePlan& plan)
+  SimulatedSiteStudy(const PowerSimulation& simulation, const SitePlan& plan)
       : conditions_(static_cast<std::size_t>(simulation.model.conditions)),
         answers_(simulation.model.answers),
         level_(simulation.alpha / static_cast<double>(simulation.comparisons)),
-        family_(1.0 - simulation.alpha),
+        pooledLevel_(1.0 - simulation.alpha),
         deviation_(plan.deviation),
         criticalT_(StudentDistribution(static_cast<double>(simulation.participants - 1))
                        .twoSidedQuantile(level_)),
         sites_(plan.sites) {
-    const auto each = simulation.participants / plan.sites;
+    const auto participantsPerSite = simulation.participants / plan.sites;
     const auto more = simulation.participants % plan.sites;
-    for (std::size_t j = 0; j < sites_.size(); ++j) sites_[j].resize(each + (j < more ? 1 : 0));
+    for (std::size_t j = 0; j < sites_.size(); ++j)
+      sites_[j].resize(participantsPerSite + (j < more ? 1 : 0));
   }
 
   void draw(LikertCohort& cohort) {
@@ -64,7 +65,7 @@ class SiteTrial {
       if (spread > 0.0) known.push_back({mean, std::sqrt(spread / (n * (n - 1.0)))});
     }
     if (known.size() < 2) return std::nullopt;
-    return pooledToFourDigits(known, family_);
+    return pooledToFourDigits(known, pooledLevel_);
   }
 
   bool isDetected(const std::optional<PooledEstimate>& difference) const {
@@ -78,7 +79,7 @@ class SiteTrial {
 
   /// Whether a test is significant for any pair except the first.
   template <typename Test>
-  bool anyOtherPair(const Test& test) const {
+  bool isSignificantForAnotherPair(const Test& test) const {
     for (std::size_t a = 0; a < conditions_; ++a) {
       for (std::size_t b = std::max<std::size_t>(a + 1, 2); b < conditions_; ++b) {
         if (test(a, b)) return true;
@@ -112,8 +113,8 @@ class SiteTrial {
 
   std::size_t conditions_;
   int answers_;
-  double level_;   ///< α of one comparison
-  double family_;  ///< level of a pooled interval: 1 − α of the family
+  double level_;        ///< α of one comparison
+  double pooledLevel_;  ///< level of a pooled interval: 1 − α of the family
   double deviation_;
   double criticalT_;  ///< critical |t| of the test of all participants, sites ignored
   std::vector<SiteSums> sites_;
@@ -133,8 +134,8 @@ double SitePlan::intraclassCorrelation() const {
 }
 
 double SitePlan::designEffect(std::uint64_t participants) const {
-  const double each = static_cast<double>(participants) / static_cast<double>(sites);
-  return 1.0 + (each - 1.0) * intraclassCorrelation();
+  const double participantsPerSite = static_cast<double>(participants) / static_cast<double>(sites);
+  return 1.0 + (participantsPerSite - 1.0) * intraclassCorrelation();
 }
 
 void SitePlan::check() const {
@@ -164,23 +165,23 @@ SimulatedSitePower simulateSitePower(const PowerSimulation& simulation, const Si
   simulation.check();
   checkSites(plan, simulation.participants);
   LikertCohort cohort(simulation.model, simulation.seed);
-  SiteTrial trial(simulation, plan);
+  SimulatedSiteStudy study(simulation, plan);
   std::array<std::uint64_t, 4> found{};
   std::vector<double> halfWidths;
   for (std::uint64_t i = 0; i < simulation.studies; ++i) {
-    trial.draw(cohort);
-    const auto paired = [&](std::size_t a, std::size_t b) { return trial.pairedT(a, b); };
+    study.draw(cohort);
+    const auto paired = [&](std::size_t a, std::size_t b) { return study.pairedT(a, b); };
     const auto pooled = [&](std::size_t a, std::size_t b) {
-      return trial.isDetected(trial.pooledDifference(a, b));
+      return study.isDetected(study.pooledDifference(a, b));
     };
-    const auto first = trial.pooledDifference(0, 1);
+    const auto first = study.pooledDifference(0, 1);
     if (first) halfWidths.push_back(0.5 * (first->interval.high - first->interval.low));
-    const bool isPooled = trial.isDetected(first);
+    const bool isPooled = study.isDetected(first);
     const bool isPaired = paired(0, 1);
     found[0] += isPooled ? 1 : 0;
-    found[1] += isPooled || trial.anyOtherPair(pooled) ? 1 : 0;
+    found[1] += isPooled || study.isSignificantForAnotherPair(pooled) ? 1 : 0;
     found[2] += isPaired ? 1 : 0;
-    found[3] += isPaired || trial.anyOtherPair(paired) ? 1 : 0;
+    found[3] += isPaired || study.isSignificantForAnotherPair(paired) ? 1 : 0;
   }
   const auto rate = [&](std::size_t which) {
     return DetectionRate::of(found[which], simulation.studies);
@@ -190,7 +191,7 @@ SimulatedSitePower simulateSitePower(const PowerSimulation& simulation, const Si
       .anyPooled = rate(1),
       .pairedT = rate(2),
       .anyPairedT = rate(3),
-      .halfWidth = medianOf(std::move(halfWidths), simulation.studies)};
+      .medianHalfWidth = medianOf(std::move(halfWidths), simulation.studies)};
 }
 
 }  // namespace analysis

@@ -66,7 +66,7 @@ struct SimulatedSitePower {
   DetectionRate anyPairedT;  ///< as pairedT, for any pair
   /// Half the width of the first pair's pooled interval at 1 − alpha, median over studies [points];
   /// std::nullopt if more than half of the studies could not be pooled.
-  std::optional<double> halfWidth;
+  std::optional<double> medianHalfWidth;
 };
 
 /// Simulates studies at several sites. LikertCohort draws the participants and the shifts of each

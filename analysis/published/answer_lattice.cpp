@@ -6,19 +6,19 @@
 namespace analysis {
 namespace {
 
-constexpr std::uint64_t kWord = 64;
+constexpr std::uint64_t kWordBits = 64;
 
 /// target |= source << shift.
 void addShifted(
     std::vector<std::uint64_t>& target,
     const std::vector<std::uint64_t>& source,
     std::uint64_t shift) {
-  const auto words = static_cast<std::size_t>(shift / kWord);
-  const auto bits = static_cast<unsigned>(shift % kWord);
+  const auto words = static_cast<std::size_t>(shift / kWordBits);
+  const auto bits = static_cast<unsigned>(shift % kWordBits);
   if (target.size() < source.size() + words + 1) target.resize(source.size() + words + 1);
   for (std::size_t i = 0; i < source.size(); ++i) {
     target[i + words] |= source[i] << bits;
-    if (bits > 0) target[i + words + 1] |= source[i] >> (kWord - bits);
+    if (bits > 0) target[i + words + 1] |= source[i] >> (kWordBits - bits);
   }
 }
 
@@ -52,8 +52,8 @@ AnswerLattice::AnswerLattice(const AnswerScale& scale, std::uint64_t mostAnswers
 
 bool AnswerLattice::isAttainable(std::uint64_t n, std::uint64_t sum, std::uint64_t squares) const {
   const auto& bits = squares_[n][sum];
-  const auto word = squares / kWord;
-  return word < bits.size() && ((bits[word] >> (squares % kWord)) & 1U) != 0;
+  const auto word = squares / kWordBits;
+  return word < bits.size() && ((bits[word] >> (squares % kWordBits)) & 1U) != 0;
 }
 
 std::vector<LatticePoint> AnswerLattice::pointsOf(
@@ -70,8 +70,8 @@ std::vector<LatticePoint> AnswerLattice::pointsOf(
   std::vector<LatticePoint> points;
   for (std::uint64_t sum = 0; sum <= n * steps_; ++sum) {
     const auto total = static_cast<std::int64_t>(sum);
-    const std::int64_t meanTimes = total + count * parts * scale_.lowest;  // · n · parts
-    if (!group.mean.matchesQuotient(meanTimes, count * parts, rounding)) continue;
+    const std::int64_t scaledMean = total + count * parts * scale_.lowest;  // · n · parts
+    if (!group.mean.matchesQuotient(scaledMean, count * parts, rounding)) continue;
     // For whole u from 0 to steps, u ≤ u² ≤ u · steps.
     for (std::uint64_t squares = sum; squares <= sum * steps_; ++squares) {
       if (!isAttainable(n, sum, squares)) continue;
@@ -83,7 +83,7 @@ std::vector<LatticePoint> AnswerLattice::pointsOf(
       if (!isPrinted) continue;
       points.push_back(
           {.n = n,
-           .mean = static_cast<double>(meanTimes) / static_cast<double>(count * parts),
+           .mean = static_cast<double>(scaledMean) / static_cast<double>(count * parts),
            .variance =
                static_cast<double>(over) / static_cast<double>(count * (count - 1) * parts * parts),
            .sum = sum,
@@ -98,10 +98,10 @@ std::vector<std::uint64_t> AnswerLattice::answersOf(const LatticePoint& point) c
   auto [sum, squares] = std::pair(point.sum, point.squares);
   // squares_ guarantees that after each answer the remaining sums are attainable with the remaining
   // answers.
-  for (std::uint64_t left = point.n; left > 0; --left) {
+  for (std::uint64_t remaining = point.n; remaining > 0; --remaining) {
     std::uint64_t u = 0;
-    while (u > sum || u * u > squares || sum - u > (left - 1) * steps_ ||
-           !isAttainable(left - 1, sum - u, squares - u * u)) {
+    while (u > sum || u * u > squares || sum - u > (remaining - 1) * steps_ ||
+           !isAttainable(remaining - 1, sum - u, squares - u * u)) {
       if (++u > steps_) throw std::logic_error("no answers have this sum and sum of squares");
     }
     ++times[u];

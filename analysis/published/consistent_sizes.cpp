@@ -16,17 +16,17 @@ PValueWindow::PValueWindow(const Interval& p, const PublishedConvention& convent
 const PValueWindow::Limits& PValueWindow::limitsAt(std::size_t degreesOfFreedom) const {
   const double tails = convention_.tails == PublishedConvention::Tails::Two ? 1.0 : 2.0;
   while (limits_.size() <= degreesOfFreedom) {
-    const StudentDistribution law(static_cast<double>(limits_.size()));
+    const StudentDistribution distribution(static_cast<double>(limits_.size()));
     const auto limit = [&](double p) {
       if (p <= 0.0) return std::numeric_limits<double>::infinity();
-      return p >= 1.0 ? 0.0 : law.twoSidedQuantile(p);
+      return p >= 1.0 ? 0.0 : distribution.twoSidedQuantile(p);
     };
     limits_.push_back({.nearest = limit(tails * p_.high), .furthest = limit(tails * p_.low)});
   }
   return limits_[degreesOfFreedom];
 }
 
-bool PValueWindow::holds(const LatticePoint& group1, const LatticePoint& group2) const {
+bool PValueWindow::contains(const LatticePoint& group1, const LatticePoint& group2) const {
   constexpr double kMargin = 1e-9;  // of t: if t is nearer to a limit, p is computed
   const auto spread =
       spreadOfDifference(convention_.test, group1.variance, group1.n, group2.variance, group2.n);
@@ -50,7 +50,7 @@ namespace {
 constexpr std::size_t kWordBits = 64;
 using Bits = std::vector<std::uint64_t>;
 
-Bits allOf(std::size_t count) {
+Bits allBits(std::size_t count) {
   Bits bits((count + kWordBits - 1) / kWordBits, 0);
   for (std::size_t i = 0; i < count; ++i)
     bits[i / kWordBits] |= std::uint64_t{1} << (i % kWordBits);
@@ -68,7 +68,8 @@ bool intersect(Bits& bits, const Bits& other) {
   return any != 0;
 }
 
-/// Which points of two groups of given sizes have the printed p, as a row of bits for each point.
+/// The pairs of points of two groups of given sizes that have the printed p: for each point of one
+/// group a row of bits, one bit for each point of the other group.
 struct Agreement {
   /// [point of the first group]: the points of the second group that agree.
   std::vector<Bits> forward;
@@ -103,13 +104,13 @@ class SizeSearch {
     result.convention = convention_;
     std::vector<std::size_t> at(sizes_.size(), 0);
     do {
-      ++result.tried;
+      ++result.triedCombinations;
       if (!fits(at)) continue;
       GroupSizes combination;
       for (std::size_t g = 0; g < at.size(); ++g) combination.push_back(sizes_[g][at[g]]);
       result.fitting.push_back(combination);
     } while (advance(at));
-    addPossible(result);
+    addPossibleSizes(result);
     addExample(result);
     return result;
   }
@@ -136,7 +137,7 @@ class SizeSearch {
         points2.size(), Bits((points1.size() + kWordBits - 1) / kWordBits, 0));
     for (std::size_t i = 0; i < points1.size(); ++i) {
       for (std::size_t j = 0; j < points2.size(); ++j) {
-        if (!window.holds(points1[i], points2[j])) continue;
+        if (!window.contains(points1[i], points2[j])) continue;
         agreement.forward[i][j / kWordBits] |= std::uint64_t{1} << (j % kWordBits);
         agreement.backward[j][i / kWordBits] |= std::uint64_t{1} << (i % kWordBits);
         agreement.isEmpty = false;
@@ -158,14 +159,14 @@ class SizeSearch {
       const auto& comparison = table_.comparisons[c];
       if (agreements_[c][at[comparison.first]][at[comparison.second]].isEmpty) return false;
     }
-    std::vector<Bits> left;
+    std::vector<Bits> remaining;
     for (std::size_t g = 0; g < at.size(); ++g) {
       const std::size_t count = points_[g][at[g]].size();
       if (count == 0) return false;
-      left.push_back(allOf(count));
+      remaining.push_back(allBits(count));
     }
     std::vector<std::size_t> chosen;
-    return canChoose(at, 0, left, chosen);
+    return canChoose(at, 0, remaining, chosen);
   }
 
   /// Backtracking with forward checking: chooses a point for one group after the other, and keeps
@@ -175,14 +176,15 @@ class SizeSearch {
   bool canChoose(
       const std::vector<std::size_t>& at,
       std::size_t group,
-      const std::vector<Bits>& left,
+      const std::vector<Bits>& remaining,
       std::vector<std::size_t>& chosen) const {
     if (group == at.size()) return true;
     for (std::size_t point = 0; point < points_[group][at[group]].size(); ++point) {
-      if (!isSet(left[group], point)) continue;
-      auto after = left;
+      if (!isSet(remaining[group], point)) continue;
+      auto remainingAfter = remaining;
       chosen.push_back(point);
-      if (propagate(at, group, point, after) && canChoose(at, group + 1, after, chosen))
+      if (propagate(at, group, point, remainingAfter) &&
+          canChoose(at, group + 1, remainingAfter, chosen))
         return true;
       chosen.pop_back();
     }
@@ -193,15 +195,15 @@ class SizeSearch {
       const std::vector<std::size_t>& at,
       std::size_t group,
       std::size_t point,
-      std::vector<Bits>& left) const {
+      std::vector<Bits>& remaining) const {
     for (std::size_t c = 0; c < agreements_.size(); ++c) {
       const auto& [first, second, p] = table_.comparisons[c];
       const auto& agreement = agreements_[c][at[first]][at[second]];
       if (first == group && second > group) {
-        if (!intersect(left[second], agreement.forward[point])) return false;
+        if (!intersect(remaining[second], agreement.forward[point])) return false;
       }
       if (second == group && first > group) {
-        if (!intersect(left[first], agreement.backward[point])) return false;
+        if (!intersect(remaining[first], agreement.backward[point])) return false;
       }
     }
     return true;
@@ -211,24 +213,24 @@ class SizeSearch {
     const auto fewest = result.largestFittingSizes();
     if (!fewest) return;
     std::vector<std::size_t> at;
-    std::vector<Bits> left;
+    std::vector<Bits> remaining;
     for (std::size_t g = 0; g < sizes_.size(); ++g) {
       const auto place = std::ranges::find(sizes_[g], (*fewest)[g]);
       at.push_back(static_cast<std::size_t>(place - sizes_[g].begin()));
-      left.push_back(allOf(points_[g][at[g]].size()));
+      remaining.push_back(allBits(points_[g][at[g]].size()));
     }
     std::vector<std::size_t> chosen;
-    if (!canChoose(at, 0, left, chosen)) return;
+    if (!canChoose(at, 0, remaining, chosen)) return;
     for (std::size_t g = 0; g < at.size(); ++g) {
-      result.example.push_back(lattice_.answersOf(points_[g][at[g]][chosen[g]]));
+      result.exampleAnswers.push_back(lattice_.answersOf(points_[g][at[g]][chosen[g]]));
     }
   }
 
-  void addPossible(ConsistentSizes& result) const {
+  void addPossibleSizes(ConsistentSizes& result) const {
     for (std::size_t g = 0; g < sizes_.size(); ++g) {
-      auto& possible = result.possible.emplace_back();
+      auto& possibleSizes = result.possibleSizes.emplace_back();
       for (std::size_t i = 0; i < sizes_[g].size(); ++i) {
-        if (!points_[g][i].empty()) possible.push_back(sizes_[g][i]);
+        if (!points_[g][i].empty()) possibleSizes.push_back(sizes_[g][i]);
       }
     }
   }

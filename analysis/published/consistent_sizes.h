@@ -12,8 +12,8 @@
 
 namespace analysis {
 
-/// A fast test, for very many pairs of groups, of whether the p value of two groups lies between
-/// two limits.
+/// Tests quickly, for very many pairs of groups, whether the p value of two groups lies between two
+/// limits.
 ///
 /// Compares t with the quantiles at the whole degrees of freedom below and above, which decides
 /// most pairs; p is computed only for a t between these.
@@ -21,8 +21,8 @@ class PValueWindow {
  public:
   PValueWindow(const Interval& p, const PublishedConvention& convention);
 
-  /// @param group1  and group2: with at least two answers.
-  bool holds(const LatticePoint& group1, const LatticePoint& group2) const;
+  /// @param group1  has at least two answers, as @p group2
+  bool contains(const LatticePoint& group1, const LatticePoint& group2) const;
 
  private:
   struct Limits {
@@ -43,14 +43,14 @@ using GroupSizes = std::vector<std::uint64_t>;
 /// The group sizes for which answers exist that reproduce all printed numbers of a row.
 struct ConsistentSizes {
   PublishedConvention convention;
-  std::uint64_t tried = 0;  ///< number of combinations of sizes that were tried
+  std::uint64_t triedCombinations = 0;  ///< number of combinations of sizes that were tried
   /// The combinations for which answers exist that reproduce the whole row.
   std::vector<GroupSizes> fitting;
   /// For each group, the sizes that its mean and variance alone allow (GRIM, GRIMMER).
-  std::vector<std::vector<std::uint64_t>> possible;
+  std::vector<std::vector<std::uint64_t>> possibleSizes;
   /// Answers that reproduce the whole row at the sizes of largestFittingSizes(): for each group,
   /// the count of each point of the scale from the lowest. Empty if no sizes fit.
-  std::vector<std::vector<std::uint64_t>> example;
+  std::vector<std::vector<std::uint64_t>> exampleAnswers;
 
   /// The sizes that fit if all groups have the same size.
   std::vector<std::uint64_t> equalSizes() const;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// m_to − m_from ≤ most; node 0 is the number zero, node g + 1 the mean of group g.
+/// The condition m_to − m_from ≤ most. Node 0 is the number zero, node g + 1 the mean of group g.
 struct Bound {
   std::size_t from = 0;
   std::size_t to = 0;
@@ -40,13 +40,13 @@ std::optional<std::vector<double>> solveBounds(
 }
 
 /// The range of |m₁ − m₂| that gives the printed p.
-Interval distances(
+Interval distancesGivingP(
     const Interval& p, const SpreadOfDifference& spread, PublishedConvention::Tails tails) {
   const double factor = tails == PublishedConvention::Tails::Two ? 1.0 : 2.0;
-  const StudentDistribution law(spread.degreesOfFreedom);
+  const StudentDistribution distribution(spread.degreesOfFreedom);
   const auto distanceAt = [&](double twoSided) {
     if (twoSided <= 0.0) return kInfinity;
-    return twoSided >= 1.0 ? 0.0 : law.twoSidedQuantile(twoSided) * spread.standardError;
+    return twoSided >= 1.0 ? 0.0 : distribution.twoSidedQuantile(twoSided) * spread.standardError;
   };
   if (factor * p.low > 1.0) return {.low = kInfinity, .high = -kInfinity};
   return {.low = distanceAt(factor * p.high), .high = distanceAt(factor * p.low)};
@@ -60,12 +60,12 @@ class RowSearch {
       const PublishedConvention& convention)
       : table_(table), convention_(convention) {
     const std::size_t groups = table.groups.size();
-    steps_ = groups <= 4 ? 9 : (groups == 5 ? 5 : 3);  // at most 3^8 = 6561 combinations
+    gridPoints_ = groups <= 4 ? 9 : (groups == 5 ? 5 : 3);  // at most 3^8 = 6561 combinations
     for (std::size_t g = 0; g < groups; ++g) {
       const Interval range = varianceBounds(table.groups[g], sizes[g], convention);
       std::vector<double> grid;
-      for (std::size_t i = 0; i < steps_; ++i) {
-        const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(steps_);
+      for (std::size_t i = 0; i < gridPoints_; ++i) {
+        const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(gridPoints_);
         grid.push_back(range.low + (range.high - range.low) * part);
       }
       variances_.push_back(grid);
@@ -99,7 +99,8 @@ class RowSearch {
       for (const double v2 : variances_[second]) {
         const auto spread =
             spreadOfDifference(convention_.test, v1, sizes[first], v2, sizes[second]);
-        ranges.push_back(distances(p.bounds(convention_.rounding), spread, convention_.tails));
+        ranges.push_back(
+            distancesGivingP(p.bounds(convention_.rounding), spread, convention_.tails));
       }
     }
     return ranges;
@@ -107,7 +108,7 @@ class RowSearch {
 
   bool advance(std::vector<std::size_t>& at) const {
     for (auto& index : at) {
-      if (++index < steps_) return true;
+      if (++index < gridPoints_) return true;
       index = 0;
     }
     return false;
@@ -123,7 +124,7 @@ class RowSearch {
     auto numbers = solveBounds(bounds, table_.groups.size() + 1);
     if (!numbers || next == table_.comparisons.size()) return numbers;
     const auto& comparison = table_.comparisons[next];
-    const auto& range = ranges_[next][at[comparison.first] * steps_ + at[comparison.second]];
+    const auto& range = ranges_[next][at[comparison.first] * gridPoints_ + at[comparison.second]];
     if (!std::isfinite(range.low) || range.low > range.high) return std::nullopt;
     for (const bool isPositive : {true, false}) {
       const std::size_t above = 1 + (isPositive ? comparison.first : comparison.second);
@@ -138,7 +139,7 @@ class RowSearch {
 
   const PublishedTable& table_;
   PublishedConvention convention_;
-  std::size_t steps_ = 9;
+  std::size_t gridPoints_ = 9;
   std::vector<std::vector<double>> variances_;  ///< [group][point of the grid]
   std::vector<Bound> means_;
   std::vector<std::vector<Interval>> ranges_;  ///< [comparison][both points of the grid]
@@ -160,7 +161,7 @@ namespace {
 
 constexpr int kStepsOfEdge = 64;  // p may be non-monotonic along an edge: an extreme may lie inside
 
-double between(const Interval& range, int step) {
+double pointOfRange(const Interval& range, int step) {
   if (step == kStepsOfEdge) return range.high;
   return range.low + (range.high - range.low) * step / kStepsOfEdge;
 }
@@ -190,8 +191,8 @@ Interval attainableP(
 
   Interval found{.low = 1.0, .high = 0.0};
   for (int step = 0; step <= kStepsOfEdge; ++step) {
-    const double v1 = between(variance1, step);
-    const double v2 = between(variance2, step);
+    const double v1 = pointOfRange(variance1, step);
+    const double v2 = pointOfRange(variance2, step);
     found.low = std::min(
         {found.low, p(distance.high, variance1.low, v2), p(distance.high, v1, variance2.low)});
     found.high = std::max(
@@ -200,11 +201,11 @@ Interval attainableP(
   return found;
 }
 
-bool overlap(const Interval& a, const Interval& b) {
+bool doOverlap(const Interval& a, const Interval& b) {
   return a.low <= b.high && b.low <= a.high;
 }
 
-bool ConventionCheck::allAttainable() const {
+bool ConventionCheck::areAllAttainable() const {
   return std::ranges::all_of(comparisons, &ComparisonCheck::isAttainable);
 }
 
@@ -219,9 +220,9 @@ ConventionCheck checkConvention(
         table.groups[first], sizes[first], table.groups[second], sizes[second], convention);
     check.comparisons.push_back(
         {.attainable = attainable,
-         .isAttainable = overlap(attainable, p.bounds(convention.rounding))});
+         .isAttainable = doOverlap(attainable, p.bounds(convention.rounding))});
   }
-  if (check.allAttainable()) check.row = momentsGivingAllP(table, sizes, convention);
+  if (check.areAllAttainable()) check.row = momentsGivingAllP(table, sizes, convention);
   return check;
 }
 

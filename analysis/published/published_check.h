@@ -42,7 +42,7 @@ std::optional<std::vector<MeanAndVariance>> momentsGivingAllP(
 /// edges of the rectangle of variances. The edges are searched, corners included. (Along an edge p
 /// usually rises as well, but not always, because Welch's degrees of freedom change.)
 ///
-/// @param n1  and n2: at least 2.
+/// @param n1  at least 2, as @p n2
 Interval attainableP(
     const PublishedGroup& group1,
     std::uint64_t n1,
@@ -51,7 +51,7 @@ Interval attainableP(
     const PublishedConvention& convention);
 
 /// Whether two intervals have a number in common.
-bool overlap(const Interval& a, const Interval& b);
+bool doOverlap(const Interval& a, const Interval& b);
 
 /// The p values that are possible for one comparison, and whether the printed one is among them.
 struct ComparisonCheck {
@@ -67,7 +67,7 @@ struct ConventionCheck {
   /// Means and variances that together give all printed p values; std::nullopt if none were found.
   std::optional<std::vector<MeanAndVariance>> row;
 
-  bool allAttainable() const;
+  bool areAllAttainable() const;
 };
 
 /// @param sizes  one for each group, at least 2.

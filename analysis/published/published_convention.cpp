@@ -96,8 +96,8 @@ SpreadOfDifference spreadOfDifference(
 double pOf(double difference, const SpreadOfDifference& spread, PublishedConvention::Tails tails) {
   if (difference == 0.0) return tails == Convention::Tails::Two ? 1.0 : 0.5;
   if (spread.standardError == 0.0) return 0.0;
-  const StudentDistribution law(spread.degreesOfFreedom);
-  const double p = law.twoSidedP(difference / spread.standardError);
+  const StudentDistribution distribution(spread.degreesOfFreedom);
+  const double p = distribution.twoSidedP(difference / spread.standardError);
   return tails == Convention::Tails::Two ? p : 0.5 * p;
 }
 

@@ -55,7 +55,8 @@ SpreadOfDifference spreadOfDifference(
     double variance2,
     std::uint64_t n2);
 
-/// p of a difference of means; 0 if only the spread is 0, 1 (one-sided ½) if the difference is 0.
+/// p of a difference of means: 1 (one-sided ½) if the difference is 0, otherwise 0 if the standard
+/// error is 0.
 double pOf(double difference, const SpreadOfDifference& spread, PublishedConvention::Tails tails);
 
 }  // namespace analysis

@@ -21,7 +21,7 @@ bool isDigit(char character) {
   return character >= '0' && character <= '9';
 }
 
-bool isMark(char character, base::DecimalMark mark) {
+bool isDecimalMark(char character, base::DecimalMark mark) {
   return character == '.' || (character == ',' && mark == base::DecimalMark::PointOrComma);
 }
 
@@ -86,7 +86,7 @@ std::optional<ReportedNumber> reportedNumber(std::string_view text, base::Decima
   int figures = 0;
   bool hasMark = false;
   for (const char character : text) {
-    if (isMark(character, mark) && !hasMark) {
+    if (isDecimalMark(character, mark) && !hasMark) {
       hasMark = true;
     } else if (isDigit(character) && figures < ReportedNumber::kMostDigits) {
       number.digits = 10 * number.digits + (character - '0');

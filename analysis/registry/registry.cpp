@@ -109,7 +109,7 @@ std::vector<Numbers> groupsOf(const TestData& data) {
 }
 
 template <auto kTest>
-Rows ofGroups(const TestData& data, const TestSettings&) {
+Rows rowsOfGroups(const TestData& data, const TestSettings&) {
   return {rowOf(kTest(groupsOf(data)))};
 }
 
@@ -168,7 +168,7 @@ Rows bayesFactorOfPairs(const TestData& data, const TestSettings&) {
 // One line per participant
 
 template <auto kTest>
-Rows ofLines(const TestData& data, const TestSettings&) {
+Rows rowsOfLines(const TestData& data, const TestSettings&) {
   return {rowOf(kTest(data.lines()))};
 }
 
@@ -270,8 +270,9 @@ Rows equalShares(const TestData& data, const TestSettings&) {
 
 constexpr const char* kGroup = "group";
 
-/// value ~ group [+ round] + (1 | cluster) + (1 | cluster:group); the second intercept only if some
-/// cluster has several values of a group; otherwise it is confounded with the residuals.
+/// The model value ~ group [+ round] + (1 | cluster) + (1 | cluster:group). It has the second
+/// intercept only if some cluster has several values of a group. Otherwise this intercept would be
+/// confounded with the residuals.
 struct Design {
   FixedEffects fixed;
   std::vector<Factor> random;
@@ -290,16 +291,16 @@ Design designOf(const TestData& data) {
 
 /// A row for each pair of groups, or one row with the reason why no pair can be tested.
 template <typename RowOfPair>
-Rows ofPairsOfGroups(const Factor& group, const Reason& whyNot, RowOfPair rowOfPair) {
+Rows rowsOfGroupPairs(const Factor& group, const Reason& reasonForNone, RowOfPair rowOfPair) {
   Rows rows;
-  for (std::size_t i = 0; whyNot.empty() && i < group.levels.size(); ++i) {
+  for (std::size_t i = 0; reasonForNone.empty() && i < group.levels.size(); ++i) {
     for (std::size_t j = i + 1; j < group.levels.size(); ++j) {
       rows.push_back(rowOfPair(group.levels[i], group.levels[j]));
       rows.back().group1 = group.levels[i];
       rows.back().group2 = group.levels[j];
     }
   }
-  if (rows.empty()) rows.emplace_back().reason = whyNot;
+  if (rows.empty()) rows.emplace_back().reason = reasonForNone;
   return rows;
 }
 
@@ -312,8 +313,8 @@ Rows clusterRobustRows(const TestData& data, const TestSettings& settings) {
     fixed.add(factorOf(kGroup, labels, levels));
     return clusterRobust(first(data), fixed, cluster);
   };
-  const auto whyNot = fit(group.levels).reason;
-  return ofPairsOfGroups(group, whyNot, [&](const std::string& a, const std::string& b) {
+  const auto reasonForNone = fit(group.levels).reason;
+  return rowsOfGroupPairs(group, reasonForNone, [&](const std::string& a, const std::string& b) {
     // With b as the base, the coefficient of a is the difference a - b.
     auto levels = group.levels;
     std::erase(levels, a);
@@ -329,7 +330,7 @@ Rows clusterRobustRows(const TestData& data, const TestSettings& settings) {
 Rows mixedModel(const TestData& data, const TestSettings& settings) {
   const auto design = designOf(data);
   const auto result = fitLinearMixedModel(first(data), design.fixed, design.random);
-  return ofPairsOfGroups(
+  return rowsOfGroupPairs(
       data.factor(kGroup), result.reason, [&](const std::string& a, const std::string& b) {
         const auto difference =
             contrast(*result.fit, a + " - " + b, design.fixed.difference(kGroup, a, b));
@@ -339,7 +340,7 @@ Rows mixedModel(const TestData& data, const TestSettings& settings) {
       });
 }
 
-std::vector<int> wholeAnswers(const TestData& data) {
+std::vector<int> integerAnswers(const TestData& data) {
   std::vector<int> answers;
   for (const double value : first(data)) {
     if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) {
@@ -351,10 +352,10 @@ std::vector<int> wholeAnswers(const TestData& data) {
 }
 
 Rows ordinalModel(const TestData& data, const TestSettings& settings) {
-  const auto answers = wholeAnswers(data);
+  const auto answers = integerAnswers(data);
   const auto design = designOf(data);
   const auto result = fitCumulativeLinkMixedModel(answers, design.fixed, design.random);
-  return ofPairsOfGroups(
+  return rowsOfGroupPairs(
       data.factor(kGroup), result.reason, [&](const std::string& a, const std::string& b) {
         const auto difference =
             contrast(*result.fit, a + " - " + b, design.fixed.difference(kGroup, a, b));
@@ -365,7 +366,7 @@ Rows ordinalModel(const TestData& data, const TestSettings& settings) {
 }
 
 Rows answerProbabilities(const TestData& data, const TestSettings& settings) {
-  const auto answers = wholeAnswers(data);
+  const auto answers = integerAnswers(data);
   const auto design = designOf(data);
   const auto model = fitCumulativeLinkMixedModel(answers, design.fixed, design.random);
   Rows rows;
@@ -382,22 +383,22 @@ using Use = StudyUse;
 
 // clang-format off
 // All tests: id, title, question, source, data, function, use in a study; kNeedsBound if it needs a
-// bound, kEachPair or kEachGroup if it has a row for each pair of groups or for each group; kFewest if
+// bound, kEachPair or kEachGroup if it has a row for each pair of groups or for each group; kFewestPeople if
 // reports leave it out for fewer people.
 constexpr auto kNeedsBound = StatisticalTest::Form::NeedsBound;
 constexpr auto kEachPair = StatisticalTest::Form::RowOfEachPair;
 constexpr auto kEachGroup = StatisticalTest::Form::RowOfEachGroup;
 constexpr auto kOneRow = StatisticalTest::Form::OneRow;
-constexpr std::size_t kFewest = 5;
+constexpr std::size_t kFewestPeople = 5;
 constexpr std::array kTests{
     StatisticalTest{"welch", "Welch's t-test", "Do two groups differ in their mean?", "Welch 1947", Shape::TwoGroups, welch},
     StatisticalTest{"student", "Student's t-test", "Do two groups of equal variance differ in their mean?", "Student 1908", Shape::TwoGroups, student},
     StatisticalTest{"mann_whitney", "Mann and Whitney's test", "Does one group tend to larger values? Exact, ties included", "Mann & Whitney 1947", Shape::TwoGroups, mannWhitney, Use::Cohorts},
-    StatisticalTest{"brunner_munzel", "Brunner and Munzel's test", "Does one group tend to larger values, if the scatter may differ?", "Brunner & Munzel 2000", Shape::TwoGroups, brunnerMunzel, Use::Cohorts, kOneRow, kFewest},
+    StatisticalTest{"brunner_munzel", "Brunner and Munzel's test", "Does one group tend to larger values, if the scatter may differ?", "Brunner & Munzel 2000", Shape::TwoGroups, brunnerMunzel, Use::Cohorts, kOneRow, kFewestPeople},
     StatisticalTest{"tost_groups", "Two one-sided t-tests of two groups", "Is the difference of two means within ±bound?", "Schuirmann 1987", Shape::TwoGroups, equivalenceOfGroups, Use::None, kNeedsBound},
     StatisticalTest{"bayes_factor_groups", "JZS Bayes factor of two groups", "How much do the data speak for a difference of two means?", "Rouder et al. 2009", Shape::TwoGroups, bayesFactorOfGroups},
-    StatisticalTest{"one_way_anova", "One-way analysis of variance", "Do groups of equal variance differ in their mean?", "Fisher 1925", Shape::Groups, ofGroups<anova>},
-    StatisticalTest{"brown_forsythe", "Brown and Forsythe's test", "Do groups differ in their spread about the median?", "Brown & Forsythe 1974", Shape::Groups, ofGroups<brownForsytheTest>},
+    StatisticalTest{"one_way_anova", "One-way analysis of variance", "Do groups of equal variance differ in their mean?", "Fisher 1925", Shape::Groups, rowsOfGroups<anova>},
+    StatisticalTest{"brown_forsythe", "Brown and Forsythe's test", "Do groups differ in their spread about the median?", "Brown & Forsythe 1974", Shape::Groups, rowsOfGroups<brownForsytheTest>},
     StatisticalTest{"shapiro_wilk", "Shapiro and Wilk's test", "Could the values come from a normal law?", "Royston 1995", Shape::Values, shapiroWilk},
     StatisticalTest{"paired_t", "Paired t-test", "Do pairs differ in their mean?", "Student 1908", Shape::Pairs, pairedT, Use::Pairs},
     StatisticalTest{"sign_flip", "Exact sign-flip test", "Do pairs differ in their mean? All choices of signs", "Fisher 1935", Shape::Pairs, signFlip, Use::Pairs},
@@ -406,10 +407,10 @@ constexpr std::array kTests{
     StatisticalTest{"sign_test", "Sign test", "Are there more differences up than down? Exact", "Arbuthnott 1710", Shape::Pairs, sign},
     StatisticalTest{"bayes_factor", "JZS Bayes factor of pairs", "How much do the data speak for a mean difference?", "Rouder et al. 2009", Shape::Pairs, bayesFactorOfPairs, Use::PairsOutsideFamily},
     StatisticalTest{"tost", "Two one-sided t-tests of pairs", "Is the mean difference within ±bound?", "Schuirmann 1987", Shape::Pairs, equivalenceOfPairs, Use::PairsOutsideFamily, kNeedsBound},
-    StatisticalTest{"friedman", "Friedman's test", "Do conditions differ, if every participant ranks them?", "Friedman 1937", Shape::Columns, ofLines<friedmanTest>, Use::Conditions},
+    StatisticalTest{"friedman", "Friedman's test", "Do conditions differ, if every participant ranks them?", "Friedman 1937", Shape::Columns, rowsOfLines<friedmanTest>, Use::Conditions},
     StatisticalTest{"nemenyi", "Nemenyi's comparisons", "Which conditions differ after Friedman's test? p holds for all pairs", "Nemenyi 1963", Shape::Columns, nemenyi, Use::None, kEachPair},
     StatisticalTest{"conover", "Conover's comparisons", "Which conditions differ after Friedman's test? p of each pair alone", "Conover 1999", Shape::Columns, conover, Use::None, kEachPair},
-    StatisticalTest{"rm_anova", "Repeated-measures analysis of variance", "Do conditions differ in their mean, all judged by the same people?", "Greenhouse & Geisser 1959", Shape::Columns, ofLines<repeatedMeasuresAnova>, Use::Conditions},
+    StatisticalTest{"rm_anova", "Repeated-measures analysis of variance", "Do conditions differ in their mean, all judged by the same people?", "Greenhouse & Geisser 1959", Shape::Columns, rowsOfLines<repeatedMeasuresAnova>, Use::Conditions},
     StatisticalTest{"cochran_q", "Cochran's Q", "Do options get as many yes (1) of the same people?", "Cochran 1950", Shape::Columns, cochran},
     StatisticalTest{"icc_1_1", "Intraclass correlation ICC(1,1)", "How alike are ratings of a subject, raters differing between subjects?", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::oneWaySingle>},
     StatisticalTest{"icc_1_k", "Intraclass correlation ICC(1,k)", "The same of the mean of all ratings", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::oneWayAverage>},
@@ -417,15 +418,15 @@ constexpr std::array kTests{
     StatisticalTest{"icc_2_k", "Intraclass correlation ICC(2,k)", "The same of the mean of all raters", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::twoWayRandomAverage>},
     StatisticalTest{"icc_3_1", "Intraclass correlation ICC(3,1)", "How consistent are these raters?", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::twoWayMixedSingle>},
     StatisticalTest{"icc_3_k", "Intraclass correlation ICC(3,k)", "The same of the mean of these raters", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::twoWayMixedAverage>},
-    StatisticalTest{"cronbach_alpha", "Cronbach's alpha", "Do the items of a scale pull together?", "Cronbach 1951, Feldt 1965", Shape::Columns, cronbach, Use::None, kOneRow, kFewest},
-    StatisticalTest{"omega_total", "McDonald's omega", "How much of a sum of items do they have in common?", "McDonald 1999", Shape::Columns, omega, Use::None, kOneRow, kFewest},
+    StatisticalTest{"cronbach_alpha", "Cronbach's alpha", "Do the items of a scale pull together?", "Cronbach 1951, Feldt 1965", Shape::Columns, cronbach, Use::None, kOneRow, kFewestPeople},
+    StatisticalTest{"omega_total", "McDonald's omega", "How much of a sum of items do they have in common?", "McDonald 1999", Shape::Columns, omega, Use::None, kOneRow, kFewestPeople},
     StatisticalTest{"fisher_exact", "Fisher's exact test", "Do two sortings of the same cases have to do with each other?", "Fisher 1935, Freeman & Halton 1951", Shape::Categories, fisher},
     StatisticalTest{"mcnemar", "McNemar's test", "Do people change from one of two options as often as to it? Exact", "McNemar 1947", Shape::BeforeAfter, mcNemar},
     StatisticalTest{"stuart_maxwell", "Stuart and Maxwell's test", "Are options chosen as often the second time as the first?", "Stuart 1955, Maxwell 1970", Shape::BeforeAfter, stuartMaxwell},
     StatisticalTest{"equal_shares", "Exact multinomial test of equal shares", "Are options preferred equally often?", "Pearson 1900", Shape::Votes, equalShares},
     StatisticalTest{"cluster_robust", "Cluster-robust t-tests (CR2)", "Do groups differ in their mean, if values of a cluster go together?", "Bell & McCaffrey 2002", Shape::Clusters, clusterRobustRows, Use::None, kEachPair},
     StatisticalTest{"mixed_model", "Linear mixed model", "The same with random intercepts of clusters", "Bates et al. 2015, Kuznetsova et al. 2017", Shape::Clusters, mixedModel, Use::None, kEachPair},
-    StatisticalTest{"ordinal_model", "Cumulative link mixed model", "The same of ordered answers, as odds ratios", "Christensen 2022", Shape::Clusters, ordinalModel, Use::None, kEachPair, kFewest},
+    StatisticalTest{"ordinal_model", "Cumulative link mixed model", "The same of ordered answers, as odds ratios", "Christensen 2022", Shape::Clusters, ordinalModel, Use::None, kEachPair, kFewestPeople},
     StatisticalTest{"answer_probability", "Probability of a high answer, by the cumulative link mixed model", "How likely is an answer of --from or more, in all clusters?", "Christensen 2022", Shape::Clusters, answerProbabilities, Use::None, kEachGroup},
 };
 // clang-format on

@@ -108,9 +108,9 @@ std::vector<ColumnsOfRole> columnsByRole(
 }
 
 /// Reads lines into TestData.
-class Reader {
+class TestDataReader {
  public:
-  Reader(const CsvTable& table, std::vector<ColumnsOfRole> roles, bool isGrouped)
+  TestDataReader(const CsvTable& table, std::vector<ColumnsOfRole> roles, bool isGrouped)
       : table_(table), roles_(std::move(roles)), isGrouped_(isGrouped) {
     for (const auto& role : roles_) {
       const auto kind = role.column->kind;
@@ -264,7 +264,7 @@ TestData readTestData(std::string_view csv, DataShape shape, const ChosenColumns
   const bool isGrouped = shape == DataShape::TwoGroups || shape == DataShape::Groups;
   const auto groupColumn =
       isGrouped ? table.columns[roles.front().columnIndices.front()] : std::string();
-  auto data = Reader(table, std::move(roles), isGrouped).all();
+  auto data = TestDataReader(table, std::move(roles), isGrouped).all();
   if (shape == DataShape::TwoGroups) requireTwoGroups(data.values, groupColumn);
   return data;
 }

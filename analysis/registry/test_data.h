@@ -48,7 +48,7 @@ struct NamedValues {
 };
 
 /// The names in one column, one per case.
-struct Names {
+struct NameColumn {
   std::string role;
   std::vector<std::string> values;
 };
@@ -56,7 +56,7 @@ struct Names {
 /// The data that were read for a test.
 struct TestData {
   std::vector<NamedValues> values;    ///< one entry per group; or one per column, of equal length
-  std::vector<Names> names;           ///< one entry per column
+  std::vector<NameColumn> names;      ///< one entry per column
   std::vector<std::uint64_t> counts;  ///< how often each case occurred
   std::size_t missing = 0;            ///< lines left out because a cell is empty or NA
 

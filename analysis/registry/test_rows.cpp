@@ -206,7 +206,8 @@ TestRow rowOf(const CochranResult& result) {
   row.statistic = {"Q", result.q};
   row.df = result.degreesOfFreedom;
   row.more = {
-      {"p_permutation", result.exactP}, {"undecided", static_cast<double>(result.undecided)}};
+      {"p_permutation", result.exactP},
+      {"undecided", static_cast<double>(result.unvaryingPersons)}};
   return row;
 }
 
@@ -306,20 +307,20 @@ TestRow answerProbabilityRow(
     const CumulativeLinkResult& model,
     const FixedEffects& fixed,
     std::span<const int> answers,
-    const HighAnswerEvent& asked,
+    const HighAnswerEvent& event,
     double level) {
   TestRow row;
-  row.group1 = asked.group;
+  row.group1 = event.group;
   row.estimate.name = "logit";
   row.effect.name = "probability";
-  row.more = {{"from", asked.from}};
-  const auto& factor = fixed.factor(asked.factor);
+  row.more = {{"from", event.from}};
+  const auto& factor = fixed.factor(event.factor);
   std::uint64_t given = 0;
   std::uint64_t high = 0;
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    if (factor.levels[factor.levelOfAnswer[i]] != asked.group) continue;
+    if (factor.levels[factor.levelOfAnswer[i]] != event.group) continue;
     ++given;
-    if (answers[i] >= asked.from) ++high;
+    if (answers[i] >= event.from) ++high;
   }
   row.n1 = given;
   row.statistic.name = "observed_share";
@@ -327,9 +328,9 @@ TestRow answerProbabilityRow(
   row.reason = given == 0 ? reason("no_answers_to_method") : model.reason;
   if (!row.reason.empty()) return row;
   const auto likely =
-      answerProbability(*model.fit, asked.from, fixed.combinations(asked.factor, asked.group));
+      answerProbability(*model.fit, event.from, fixed.combinations(event.factor, event.group));
   if (!likely) {
-    row.reason = reason("one_side_of_level", asked.from);
+    row.reason = reason("one_side_of_level", event.from);
     return row;
   }
   row.estimate.value = likely->logit.estimate;

@@ -28,7 +28,7 @@
 // that a table shows.
 namespace analysis {
 
-/// For tests that return a row directly.
+/// Returns @p row unchanged: for tests whose result is a row already.
 inline TestRow rowOf(TestRow row) {
   return row;
 }
@@ -87,7 +87,7 @@ TestRow answerProbabilityRow(
     const CumulativeLinkResult& model,
     const FixedEffects& fixed,
     std::span<const int> answers,
-    const HighAnswerEvent& asked,
+    const HighAnswerEvent& event,
     double level);
 
 }  // namespace analysis

@@ -40,9 +40,10 @@ void addTest(IntraclassCorrelation& icc, const DoubleDouble& signal, const Doubl
 std::optional<Interval> quotientInterval(const IntraclassCorrelation& icc, double level) {
   if (!icc.f || !std::isfinite(*icc.f)) return std::nullopt;
   const double tail = 0.5 * (1.0 - level);
-  const FisherDistribution law(icc.degreesOfFreedom1, icc.degreesOfFreedom2);
+  const FisherDistribution distribution(icc.degreesOfFreedom1, icc.degreesOfFreedom2);
   return Interval{
-      .low = *icc.f / law.upperQuantile(tail), .high = *icc.f / law.upperQuantile(1.0 - tail)};
+      .low = *icc.f / distribution.upperQuantile(tail),
+      .high = *icc.f / distribution.upperQuantile(1.0 - tail)};
 }
 
 /// ICC(1,·) and ICC(3,·), which differ only in the mean square that they use as noise.
@@ -73,11 +74,11 @@ std::optional<Interval> agreementInterval(const MeanSquares& squares, double icc
   const double subjects = (squares.subjects / squares.residual).high;  // per residual mean square
   const double raters = (squares.raters / squares.residual).high;
 
-  const double ofRaters = k * icc * raters;
-  const double ofRest = n * (1.0 + (k - 1.0) * icc) - k * icc;
-  const double both = ofRaters + ofRest;
-  const double degreesOfFreedom =
-      (k - 1.0) * (n - 1.0) * both * both / ((n - 1.0) * ofRaters * ofRaters + ofRest * ofRest);
+  const double ratersTerm = k * icc * raters;
+  const double restTerm = n * (1.0 + (k - 1.0) * icc) - k * icc;
+  const double sumOfTerms = ratersTerm + restTerm;
+  const double degreesOfFreedom = (k - 1.0) * (n - 1.0) * sumOfTerms * sumOfTerms /
+                                  ((n - 1.0) * ratersTerm * ratersTerm + restTerm * restTerm);
 
   const double tail = 0.5 * (1.0 - level);
   const double above = FisherDistribution(n - 1.0, degreesOfFreedom).upperQuantile(tail);
@@ -90,7 +91,7 @@ std::optional<Interval> agreementInterval(const MeanSquares& squares, double icc
 }
 
 /// The reliability of the mean of k ratings from that of one (Spearman–Brown).
-double ofAverage(double single, double k) {
+double reliabilityOfAverage(double single, double k) {
   return k * single / (1.0 + (k - 1.0) * single);
 }
 
@@ -98,19 +99,19 @@ void addAgreement(IntraclassCorrelations& all, const MeanSquares& squares) {
   IntraclassCorrelation& single = all.twoWayRandomSingle;
   IntraclassCorrelation& average = all.twoWayRandomAverage;
   const DoubleDouble signal = squares.subjects - squares.residual;
-  const DoubleDouble ofRaters = (squares.raters - squares.residual) / squares.n;
+  const DoubleDouble ratersTerm = (squares.raters - squares.residual) / squares.n;
   addTest(single, squares.subjects, squares.residual);
   addTest(average, squares.subjects, squares.residual);
   single.value = quotient(
-      signal, squares.subjects + squares.residual * (squares.k - 1.0) + ofRaters * squares.k);
-  average.value = quotient(signal, squares.subjects + ofRaters);
+      signal, squares.subjects + squares.residual * (squares.k - 1.0) + ratersTerm * squares.k);
+  average.value = quotient(signal, squares.subjects + ratersTerm);
   if (squares.residual.isZero() || squares.subjects.isZero() || !single.value) return;
 
   single.interval = agreementInterval(squares, *single.value, all.level);
   if (!single.interval) return;
   average.interval = Interval{
-      .low = ofAverage(single.interval->low, squares.k),
-      .high = ofAverage(single.interval->high, squares.k)};
+      .low = reliabilityOfAverage(single.interval->low, squares.k),
+      .high = reliabilityOfAverage(single.interval->high, squares.k)};
 }
 
 void addDegreesOfFreedom(IntraclassCorrelations& all, double n, double k) {

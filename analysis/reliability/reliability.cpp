@@ -111,11 +111,11 @@ CronbachAlpha cronbachAlpha(std::span<const std::vector<double>> answers, double
   const DoubleDouble ratio = layout.residualMeanSquare() / layout.rowMeanSquare();
   alpha.value = (DoubleDouble(1.0) - ratio).high;
   const auto df1 = static_cast<double>(layout.rows - 1);
-  const FisherDistribution law(df1, df1 * static_cast<double>(layout.columns - 1));
+  const FisherDistribution distribution(df1, df1 * static_cast<double>(layout.columns - 1));
   const double tail = 0.5 * (1.0 - level);
   alpha.interval = Interval{
-      .low = 1.0 - ratio.high * law.upperQuantile(tail),
-      .high = 1.0 - ratio.high * law.upperQuantile(1.0 - tail)};
+      .low = 1.0 - ratio.high * distribution.upperQuantile(tail),
+      .high = 1.0 - ratio.high * distribution.upperQuantile(1.0 - tail)};
   return alpha;
 }
 
@@ -198,7 +198,7 @@ double bestLoading(Correlations correlations, const Loadings& loadings, std::siz
 
 OneFactorModel fitOneFactor(std::span<const std::vector<double>> correlations) {
   constexpr int kMostSweeps = 100'000;
-  constexpr double kStill = 4e-15;  // change of a loading: a few units in the last place
+  constexpr double kConvergedChange = 4e-15;  // change of a loading: a few units in the last place
   check(correlations);
 
   OneFactorModel model;
@@ -211,7 +211,7 @@ OneFactorModel fitOneFactor(std::span<const std::vector<double>> correlations) {
       largestStep = std::max(largestStep, std::abs(best - model.loadings[i]));
       model.loadings[i] = best;
     }
-    model.hasConverged = largestStep <= kStill;
+    model.hasConverged = largestStep <= kConvergedChange;
   }
 
   const double sum = std::accumulate(model.loadings.begin(), model.loadings.end(), 0.0);

@@ -37,7 +37,7 @@ struct OmegaTotal {
   std::size_t items = 0;
   std::optional<double> value;   ///< in 0 … 1
   std::vector<double> loadings;  ///< of the standardised items
-  /// An item's error variance is estimated as 0: ω is only a rough indication.
+  /// Whether the error variance of an item is estimated as 0; ω is then only a rough indication.
   bool isImproper = false;
   Reason reason;  ///< why something above is missing; empty if nothing is
 };

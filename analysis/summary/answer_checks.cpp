@@ -10,12 +10,12 @@ namespace analysis {
 namespace {
 
 /// Sums of squares of a one-way layout, added up over methods.
-struct Layout {
+struct OneWaySums {
   double between = 0.0;
   double within = 0.0;
   double betweenDegreesOfFreedom = 0.0;
   double withinDegreesOfFreedom = 0.0;
-  double weighted = 0.0;  ///< Searle's mean group size n₀, times betweenDegreesOfFreedom
+  double weightedGroupSize = 0.0;  ///< Searle's mean group size n₀, times betweenDegreesOfFreedom
 };
 
 struct Cell {
@@ -24,7 +24,7 @@ struct Cell {
   double square = 0.0;
 };
 
-void addMethod(const std::vector<Cell>& cells, Layout& layout) {
+void addMethod(const std::vector<Cell>& cells, OneWaySums& layout) {
   double n = 0.0;
   double sum = 0.0;
   double squaresOfN = 0.0;
@@ -45,7 +45,7 @@ void addMethod(const std::vector<Cell>& cells, Layout& layout) {
   }
   layout.betweenDegreesOfFreedom += groups - 1.0;
   layout.withinDegreesOfFreedom += n - groups;
-  layout.weighted += n - squaresOfN / n;
+  layout.weightedGroupSize += n - squaresOfN / n;
 }
 
 }  // namespace
@@ -62,12 +62,12 @@ AnswerDependence dependenceOf(const AnswerTable& table) {
     cell.square += score * score;
     people.insert(answer.participant);
   }
-  Layout layout;
+  OneWaySums layout;
   for (const auto& method : cells) addMethod(method, layout);
   AnswerDependence dependence{.answers = table.answers.size(), .participants = people.size()};
   if (layout.betweenDegreesOfFreedom == 0.0 || layout.withinDegreesOfFreedom == 0.0)
     return dependence;
-  const double size = layout.weighted / layout.betweenDegreesOfFreedom;
+  const double size = layout.weightedGroupSize / layout.betweenDegreesOfFreedom;
   const double between = layout.between / layout.betweenDegreesOfFreedom;
   const double within = layout.within / layout.withinDegreesOfFreedom;
   const double all = between + (size - 1.0) * within;
@@ -80,7 +80,7 @@ AnswerDependence dependenceOf(const AnswerTable& table) {
 namespace {
 
 /// Accumulates a mean.
-struct Sum {
+struct MeanAccumulator {
   double sum = 0.0;
   std::size_t count = 0;
 
@@ -91,18 +91,18 @@ struct Sum {
   double mean() const { return sum / static_cast<double>(count); }
 };
 
-using ByPosition = std::map<int, Sum>;
+using MeansByPosition = std::map<int, MeanAccumulator>;
 
 /// Every participant's scores minus the mean of their method, summed by position.
-std::vector<ByPosition> residuals(const AnswerTable& table, double& grandMean) {
-  std::vector<Sum> ofMethod(table.methods.size());
-  Sum all;
+std::vector<MeansByPosition> residuals(const AnswerTable& table, double& grandMean) {
+  std::vector<MeanAccumulator> ofMethod(table.methods.size());
+  MeanAccumulator all;
   for (const auto& answer : table.answers) {
     ofMethod[answer.method].add(answer.score);
     all.add(answer.score);
   }
   grandMean = all.count > 0 ? all.mean() : 0.0;
-  std::vector<ByPosition> rows(table.participants.size());
+  std::vector<MeansByPosition> rows(table.participants.size());
   for (const auto& answer : table.answers) {
     rows[answer.participant][answer.position].add(answer.score - ofMethod[answer.method].mean());
   }
@@ -111,10 +111,10 @@ std::vector<ByPosition> residuals(const AnswerTable& table, double& grandMean) {
 
 /// The slope of the least-squares line through one participant's averages; std::nullopt for fewer
 /// than two positions.
-std::optional<double> slopeOf(const ByPosition& row) {
+std::optional<double> slopeOf(const MeansByPosition& row) {
   if (row.size() < 2) return std::nullopt;
-  Sum x;
-  Sum y;
+  MeanAccumulator x;
+  MeanAccumulator y;
   for (const auto& [position, sum] : row) {
     x.add(position);
     y.add(sum.mean());
@@ -135,7 +135,7 @@ PairedTResult testAgainstZero(const std::vector<double>& values) {
 }
 
 /// Whether position and method are not confounded: some method came at more than one position.
-bool isUnconfoundedPosition(const AnswerTable& table) {
+bool isPositionUnconfounded(const AnswerTable& table) {
   std::map<std::size_t, int> positionOf;
   for (const auto& answer : table.answers) {
     const auto [first, isNew] = positionOf.emplace(answer.method, answer.position);
@@ -156,7 +156,7 @@ PositionEffect positionEffect(const AnswerTable& table, double level) {
     if (const auto slope = slopeOf(row)) slopes.push_back(*slope);
   }
   PositionEffect effect;
-  if (!table.answers.empty() && !isUnconfoundedPosition(table)) {
+  if (!table.answers.empty() && !isPositionUnconfounded(table)) {
     effect.slope.reason = reason("one_position_each");
     return effect;
   }

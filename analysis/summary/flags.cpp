@@ -139,11 +139,11 @@ class FlagFinder {
       seen[answer.round][{answer.method, answer.position}].insert(answer.participant);
     }
     // Sums over all rounds: a round and its mirror image balance positions.
-    std::map<std::pair<std::size_t, int>, std::size_t> felt;
+    std::map<std::pair<std::size_t, int>, std::size_t> positionCounts;
     int positions = 0;
     for (const auto& [round, cells] : seen) {
       for (const auto& [cell, people] : cells) {
-        felt[cell] += people.size();
+        positionCounts[cell] += people.size();
         positions = std::max(positions, cell.second);
       }
     }
@@ -151,8 +151,8 @@ class FlagFinder {
     std::size_t most = 0;
     for (std::size_t method = 0; method < table_.methods.size(); ++method) {
       for (int position = 1; position <= positions; ++position) {
-        const auto cell = felt.find({method, position});
-        const std::size_t times = cell == felt.end() ? 0 : cell->second;
+        const auto cell = positionCounts.find({method, position});
+        const std::size_t times = cell == positionCounts.end() ? 0 : cell->second;
         least = std::min(least, times);
         most = std::max(most, times);
       }

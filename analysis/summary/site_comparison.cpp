@@ -19,7 +19,7 @@ class SiteComparer {
       throw std::invalid_argument("each participant has a site");
     }
     count();
-    models();
+    fitModels();
   }
 
   SiteAnalysis all(std::span<const DeclaredPair> pairs) {
@@ -41,7 +41,7 @@ class SiteComparer {
     }
   }
 
-  void models() {
+  void fitModels() {
     if (table_.answers.empty()) {
       result_.fixedSites.reason = result_.randomSites.reason = reason("no_answers");
       return;
@@ -55,16 +55,16 @@ class SiteComparer {
     random.push_back(interactionOf(site, design_->fixed.factor(kMethodFactorName)));
     random.back().name = "site:method";
     result_.randomSites = fitLinearMixedModel(design_->scores, design_->fixed, random);
-    withSites_ = design_->fixed;
-    withSites_->add(site);
-    result_.fixedSites = fitLinearMixedModel(design_->scores, *withSites_, design_->random);
+    fixedWithSites_ = design_->fixed;
+    fixedWithSites_->add(site);
+    result_.fixedSites = fitLinearMixedModel(design_->scores, *fixedWithSites_, design_->random);
   }
 
   SiteComparison comparisonOf(const DeclaredPair& pair) const {
     SiteComparison row{.group1 = pair.first, .group2 = pair.second};
     row.sites = differencesOf(pair);
     pool(row);
-    row.fixedSites = contrastOf(result_.fixedSites, withSites_, pair);
+    row.fixedSites = contrastOf(result_.fixedSites, fixedWithSites_, pair);
     row.randomSites = contrastOf(
         result_.randomSites, design_ ? std::optional(design_->fixed) : std::nullopt, pair);
     return row;
@@ -148,7 +148,7 @@ class SiteComparer {
   std::span<const std::string> sites_;
   double level_;
   std::optional<MixedDesign> design_;
-  std::optional<FixedEffects> withSites_;
+  std::optional<FixedEffects> fixedWithSites_;
   SiteAnalysis result_;
 };
 

@@ -11,20 +11,20 @@ namespace analysis {
 namespace {
 
 /// The factor made of one column of the answers.
-template <typename PlaceOf>
+template <typename IndexOf>
 Factor factorBy(
     const std::string& name,
     const AnswerTable& table,
     const std::vector<std::string>& names,
-    PlaceOf placeOfAnswer) {
+    IndexOf indexOfAnswer) {
   std::vector<std::string> labels;
   labels.reserve(table.answers.size());
-  for (const auto& answer : table.answers) labels.push_back(names[placeOfAnswer(answer)]);
+  for (const auto& answer : table.answers) labels.push_back(names[indexOfAnswer(answer)]);
   return factorOf(name, labels, names);
 }
 
 /// Adjusts the p values of one test over all rows.
-void adjustOver(
+void adjustTest(
     std::vector<WithinComparison>& rows, std::size_t place, const WithinOptions& options) {
   std::vector<std::optional<double>> pValues;
   for (const auto& row : rows) pValues.push_back(row.tests[place].p);
@@ -54,7 +54,7 @@ class WithinComparer {
     for (const auto& pair : pairs_) row(pair);
     const auto places = result_.rows.empty() ? 0 : result_.rows.front().tests.size();
     for (std::size_t place = 0; place < places; ++place) {
-      if (result_.rows.front().tests[place].isInFamily) adjustOver(result_.rows, place, options_);
+      if (result_.rows.front().tests[place].isInFamily) adjustTest(result_.rows, place, options_);
     }
     return std::move(result_);
   }
@@ -99,7 +99,7 @@ class WithinComparer {
     result_.ordinal = fitCumulativeLinkMixedModel(levels, design_->fixed, design_->random);
     for (const auto& method : table_.methods) {
       const HighAnswerEvent asked{
-          .factor = kMethodFactorName, .group = method, .from = table_.aboveMiddle()};
+          .factor = kMethodFactorName, .group = method, .from = table_.lowestPointAboveMiddle()};
       result_.probabilities.push_back(answerProbabilityRow(
           result_.ordinal, design_->fixed, levels, asked, 1.0 - options_.alpha));
       result_.probabilities.back().id = "answer_probability";

@@ -17,7 +17,7 @@
 
 namespace analysis {
 
-/// Why a study has no ordinal model although the model could be fitted.
+/// The reasons why a study has no ordinal model although the model could be fitted.
 inline constexpr auto kWithinMessages = std::to_array<base::MessageKind>(
     {{"no_points_to_order", "numbers between points are not modelled as ordered"},
      {"too_many_points_for_order", "a scale of more than {} points is not modelled as ordered"}});

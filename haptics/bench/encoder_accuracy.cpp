@@ -26,12 +26,6 @@ struct Closing {
   }
 };
 
-double rmsDifference(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum / static_cast<double>(a.size()));
-}
-
 /// RMS of the second difference of the force, scaled to the amplitude of a square wave [N]: what a
 /// hand feels as a buzz.
 double rmsChatter(const std::vector<double>& forces) {

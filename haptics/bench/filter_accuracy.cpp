@@ -37,12 +37,6 @@ double medianNanoseconds(Work work, int repetitions = 7) {
   return times[times.size() / 2];
 }
 
-double rmsDifference(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum / static_cast<double>(a.size()));
-}
-
 /// The smallest error of many cut-offs, compared with the noiseless curve.
 double bestOfAllCutoffs(const reaming::Series& series, const reaming::Series& truth) {
   double best = rmsDifference(series.force, truth.force);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <thread>
@@ -55,6 +56,12 @@ std::vector<std::optional<Timing>> optional(const std::vector<Timing>& timings) 
 }
 
 }  // namespace
+
+double rmsDifference(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
 
 std::vector<std::optional<Timing>> AccuracyRun::times(
     const std::vector<Contestant>& contestants) const {

@@ -39,6 +39,9 @@ struct AccuracyRun {
       const std::vector<Contestant>& contestants, int rounds) const;
 };
 
+/// The root mean square of a[i] − b[i]; both have as many values.
+double rmsDifference(const std::vector<double>& a, const std::vector<double>& b);
+
 // Each function reports errors and times of Palpate's method and of others. docs/benchmarks.md
 // explains them. All errors are deterministic.
 

@@ -65,22 +65,23 @@ std::string placeholderTexts(const Texts& texts, const std::string& language) {
   return words;
 }
 
-/// Adds the placeholders of one text, in all languages that a participant can choose, to @p found.
-void look(
+/// Adds the placeholders in @p texts to @p found as one entry, in all languages that a participant
+/// can choose.
+void findPlaceholders(
     std::vector<Placeholder>& found,
     const std::string& where,
     const Texts& texts,
     const std::vector<std::string>& languages) {
   Placeholder placeholder;
-  std::string which;
+  std::string affectedLanguages;
   for (const auto& language : languages) {
     const auto words = placeholderTexts(texts, language);
     if (words.empty()) continue;
-    which += (which.empty() ? "" : ", ") + language;
+    affectedLanguages += (affectedLanguages.empty() ? "" : ", ") + language;
     if (placeholder.words.empty()) placeholder.words = words;
   }
   if (placeholder.words.empty()) return;
-  placeholder.where = where + " (" + which + ")";
+  placeholder.where = where + " (" + affectedLanguages + ")";
   found.push_back(std::move(placeholder));
 }
 
@@ -96,7 +97,7 @@ bool isCapital(char letter) noexcept {
 }
 
 /// A label as it is written inside a sentence: "tissue" for "Tissue"; "FEM" is unchanged.
-std::string inSentence(std::string label) {
+std::string asInsideSentence(std::string label) {
   const bool isAbbreviation = label.size() > 1 && isCapital(label[1]);
   if (!label.empty() && isCapital(label[0]) && !isAbbreviation) {
     label[0] = static_cast<char>(label[0] - 'A' + 'a');
@@ -108,7 +109,7 @@ void fillIn(LocalizedText& text, const LocalizedText& label) {
   auto words = text.all();
   for (auto& [language, sentence] : words) {
     replaceAll(sentence, "{Label}", label.in(language));
-    replaceAll(sentence, "{label}", inSentence(label.in(language)));
+    replaceAll(sentence, "{label}", asInsideSentence(label.in(language)));
   }
   text = LocalizedText(std::move(words));
 }
@@ -128,16 +129,16 @@ void fillInLabels(LoadedProtocol& loaded) {
 std::vector<Placeholder> unfilledPlaceholdersIn(const LoadedProtocol& loaded) {
   std::vector<Placeholder> found;
   const auto& protocol = loaded.protocol;
-  look(found, "$.labels.prefix", {&protocol.labels.prefix}, protocol.languages);
+  findPlaceholders(found, "$.labels.prefix", {&protocol.labels.prefix}, protocol.languages);
   for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
     const std::string where = "$.phases[" + std::to_string(i) + "].text";
-    look(found, where, {&protocol.phases[i].text}, protocol.languages);
+    findPlaceholders(found, where, {&protocol.phases[i].text}, protocol.languages);
   }
   std::set<std::string> seen;
   for (const auto& use : instrumentUses(protocol)) {
     if (!seen.insert(use.instrument).second) continue;
     const auto& instrument = *loaded.instrument(use.instrument);
-    look(found, use.instrument, textsOf(instrument), protocol.languages);
+    findPlaceholders(found, use.instrument, textsOf(instrument), protocol.languages);
   }
   return found;
 }

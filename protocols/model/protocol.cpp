@@ -55,14 +55,14 @@ std::optional<ComparedScale> scaleOf(
 namespace {
 
 template <typename T>
-const T* withId(const std::vector<T>& all, std::string_view id) noexcept {
+const T* findById(const std::vector<T>& all, std::string_view id) noexcept {
   const auto found = std::find_if(all.begin(), all.end(), [&](const T& t) { return t.id == id; });
   return found == all.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-std::string ConditionQuestionnaire::setFor(std::string_view condition) const {
+std::string ConditionQuestionnaire::itemSetFor(std::string_view condition) const {
   for (const auto& [name, set] : setByCondition) {
     if (name == condition) return set;
   }
@@ -77,10 +77,10 @@ double SimulatedAnswerModel::realismOf(std::string_view condition) const {
 }
 
 const Condition* Protocol::condition(std::string_view id) const noexcept {
-  return withId(conditions, id);
+  return findById(conditions, id);
 }
 const DeviceRequirement* Protocol::device(std::string_view id) const noexcept {
-  return withId(devices, id);
+  return findById(devices, id);
 }
 const haptics::devices::DeviceKind* Protocol::onlyDeviceKind() const noexcept {
   const bool isOne =
@@ -90,10 +90,10 @@ const haptics::devices::DeviceKind* Protocol::onlyDeviceKind() const noexcept {
   return isOne ? devices.front().kind : nullptr;
 }
 const Phase* Protocol::phase(std::string_view id) const noexcept {
-  return withId(phases, id);
+  return findById(phases, id);
 }
 const Cohort* Protocol::cohort(std::string_view id) const noexcept {
-  return withId(cohorts, id);
+  return findById(cohorts, id);
 }
 
 std::vector<InstrumentUse> instrumentUses(const Protocol& protocol) {

@@ -117,7 +117,7 @@ struct ConditionQuestionnaire {
   /// The item set for a condition; conditions that are not listed get all items.
   std::vector<std::pair<std::string, std::string>> setByCondition;
 
-  std::string setFor(std::string_view condition) const;
+  std::string itemSetFor(std::string_view condition) const;
 };
 
 /// A block of trials: every condition once, in the order of the participant.

@@ -9,7 +9,7 @@
 namespace protocols {
 namespace {
 
-Row identity(int k) {
+Row identityRow(int k) {
   Row row(static_cast<std::size_t>(k));
   std::iota(row.begin(), row.end(), 0);
   return row;
@@ -21,9 +21,9 @@ Row shifted(const Row& row, int by) {
   return result;
 }
 
-/// The first row of Williams' design: 0, 1, k−1, 2, k−2, …. For even k the differences of
-/// neighbours (modulo k) are all different; for odd k each occurs twice with those of the reversed
-/// row.
+/// The first row of Williams' design: 0, 1, k−1, 2, k−2, …. For even k, the differences of
+/// neighbours (modulo k) are all different. For odd k, this row and the reversed row together have
+/// each difference twice.
 Row williamsRow(int k) {
   Row row{0};
   for (int low = 1, high = k - 1; static_cast<int>(row.size()) < k;) {
@@ -33,7 +33,7 @@ Row williamsRow(int k) {
   return row;
 }
 
-std::vector<Row> williams(int k) {
+std::vector<Row> williamsRows(int k) {
   std::vector<Row> rows;
   for (int i = 0; i < k; ++i) rows.push_back(shifted(williamsRow(k), i));
   if (k % 2 == 0) return rows;
@@ -47,7 +47,7 @@ std::vector<Row> williams(int k) {
 
 std::vector<Row> permutations(int k) {
   std::vector<Row> rows;
-  Row row = identity(k);
+  Row row = identityRow(k);
   do rows.push_back(row);
   while (std::next_permutation(row.begin(), row.end()));
   return rows;
@@ -59,12 +59,12 @@ std::vector<Row> rowsOf(OrderType type, int k) {
   std::vector<Row> rows;
   switch (type) {
     case OrderType::Fixed:
-      return {identity(k)};
+      return {identityRow(k)};
     case OrderType::LatinSquare:
-      for (int i = 0; i < k; ++i) rows.push_back(shifted(identity(k), i));
+      for (int i = 0; i < k; ++i) rows.push_back(shifted(identityRow(k), i));
       return rows;
     case OrderType::BalancedLatinSquare:
-      return k < 2 ? permutations(k) : williams(k);
+      return k < 2 ? permutations(k) : williamsRows(k);
     case OrderType::Complete:
       return permutations(k);
     case OrderType::Random:
@@ -78,19 +78,19 @@ Row orderFor(
     OrderType type, int k, std::uint64_t seed, std::uint64_t slot, std::string_view purpose) {
   const auto rows = rowsOf(type, k);
   if (rows.empty()) {
-    Row row = identity(k);
+    Row row = identityRow(k);
     base::RandomStream(seed, slot, "order/" + std::string(purpose)).shuffle(row);
     return row;
   }
-  Row sequence = identity(static_cast<int>(rows.size()));
+  Row sequence = identityRow(static_cast<int>(rows.size()));
   base::RandomStream(seed, slot / rows.size(), "rows/" + std::string(purpose)).shuffle(sequence);
   return rows[static_cast<std::size_t>(sequence[slot % rows.size()])];
 }
 
 namespace {
 
-/// The block's conditions in the order of the protocol's "conditions", to which labels refer. (Rows
-/// refer to the order in the block.)
+/// The block's conditions in the order of the protocol's "conditions". Labels number conditions in
+/// this order, whereas rows number them in the order of the block.
 std::vector<std::string> inProtocolOrder(const Protocol& protocol, const Block& block) {
   std::vector<std::string> sorted;
   for (const auto& condition : protocol.conditions) {
@@ -194,7 +194,7 @@ Balance balanceOf(
   balance.multipleOf = rowsOf(type, static_cast<int>(k)).size();
   balance.isBalanced =
       type != OrderType::Fixed && balance.multipleOf > 0 && participants % balance.multipleOf == 0;
-  balance.atPosition.assign(k, std::vector<int>(k, 0));
+  balance.positionCounts.assign(k, std::vector<int>(k, 0));
   balance.after.assign(k, std::vector<int>(k, 0));
   for (std::size_t slot = 0; slot < participants; ++slot) {
     const auto schedule = scheduleFor(protocol, seed, cohort, slot);
@@ -202,7 +202,7 @@ Balance balanceOf(
     for (const auto& trial : schedule.block(block.id)->trials) {
       const int index = indexOf(balance.conditions, trial.condition);
       const auto at = static_cast<std::size_t>(index);
-      ++balance.atPosition[at][static_cast<std::size_t>(trial.position - 1)];
+      ++balance.positionCounts[at][static_cast<std::size_t>(trial.position - 1)];
       if (previous >= 0) ++balance.after[at][static_cast<std::size_t>(previous)];
       previous = index;
     }

@@ -17,7 +17,7 @@ inline constexpr int kMostConditions = 100;
 /// The largest number of conditions of a block with OrderType::Complete: 6! = 720 orders.
 inline constexpr int kMostConditionsForComplete = 6;
 
-/// The orders of a design of k conditions, each of which is used equally often. One row if all
+/// The orders of a design of k conditions; each order is used equally often. One row if all
 /// participants have the same order; empty if orders are drawn (Random) or taken from another block
 /// (Reversed).
 ///
@@ -65,8 +65,8 @@ struct Balance {
   std::size_t multipleOf = 1;
   bool isBalanced = false;  ///< whether it is balanced for the given number of participants
   std::vector<std::string> conditions;
-  std::vector<std::vector<int>> atPosition;  ///< counts by [condition][position]
-  std::vector<std::vector<int>> after;       ///< counts by [condition][previous condition]
+  std::vector<std::vector<int>> positionCounts;  ///< counts by [condition][position]
+  std::vector<std::vector<int>> after;           ///< counts by [condition][previous condition]
 };
 
 /// @param block  a phase of type Block

@@ -25,7 +25,7 @@ constexpr std::array kCorrections{
     Choice<CorrectionType>{"none", CorrectionType::None},
 };
 constexpr double kWidestScale = 1000.0;  // [points]
-constexpr double kMostRealism = 10.0;
+constexpr double kLargestRealism = 10.0;
 constexpr double kMostDeviation = 10.0;
 
 Comparison readComparison(const Node& node) {
@@ -86,8 +86,8 @@ Family readFamily(const Node& node) {
   return family;
 }
 
-double deviation(const Node& node, std::string_view key, double usual) {
-  return node.number(key, 0.0, kMostDeviation, usual);
+double readDeviation(const Node& node, std::string_view key, double fallback) {
+  return node.number(key, 0.0, kMostDeviation, fallback);
 }
 
 }  // namespace
@@ -110,15 +110,15 @@ SimulatedAnswerModel readSimulation(const Node& node) {
   if (const auto realism = node.object("realism")) {
     for (const auto& member : realism->members()) {
       truth.realismByCondition.emplace_back(
-          member.first, realism->number(member.first, -kMostRealism, kMostRealism, 0.0));
+          member.first, realism->number(member.first, -kLargestRealism, kLargestRealism, 0.0));
     }
   }
   truth.participantStandardDeviation =
-      deviation(node, "person_deviation", truth.participantStandardDeviation);
+      readDeviation(node, "person_deviation", truth.participantStandardDeviation);
   truth.interactionStandardDeviation =
-      deviation(node, "person_by_condition_deviation", truth.interactionStandardDeviation);
+      readDeviation(node, "person_by_condition_deviation", truth.interactionStandardDeviation);
   truth.residualStandardDeviation =
-      deviation(node, "answer_deviation", truth.residualStandardDeviation);
+      readDeviation(node, "answer_deviation", truth.residualStandardDeviation);
   return truth;
 }
 

@@ -14,13 +14,14 @@ namespace {
 using questionnaires::Problems;
 using questionnaires::shown;
 
-constexpr std::array kReplaceable{kTibia, kFemur, kCapsule};
-constexpr std::array<std::string_view, 2> kNotReplaceable{"meniscus", "punch"};
-constexpr float kSmallestKnee = 20.0F;  // length along the longest axis [mm]
-constexpr float kLargestKnee = 400.0F;  // length along the longest axis [mm]
-constexpr float kFarthestAway = 60.0F;  // distance of any surface from the punch's mouth [mm]
-constexpr float kMetres = 1.0F;         // a knee smaller than 1 mm is probably given in metres
-constexpr float kShortest = 0.5F;       // shortest normal that has a direction
+constexpr std::array kReplaceableSurfaces{kTibia, kFemur, kCapsule};
+constexpr std::array<std::string_view, 2> kFixedSurfaces{"meniscus", "punch"};
+constexpr float kSmallestKnee = 20.0F;     // length along the longest axis [mm]
+constexpr float kLargestKnee = 400.0F;     // length along the longest axis [mm]
+constexpr float kFarthestSurface = 60.0F;  // distance of any surface from the punch's mouth [mm]
+constexpr float kSmallestInMillimetres =
+    1.0F;                                // a knee smaller than 1 mm is probably given in metres
+constexpr float kShortestNormal = 0.5F;  // shortest normal that has a direction
 
 template <std::size_t N>
 bool isOneOf(const std::array<std::string_view, N>& names, std::string_view name) {
@@ -83,10 +84,10 @@ class AnatomyReader {
  public:
   explicit AnatomyReader(Problems& problems) : problems_(problems) {}
 
-  void take(NamedSurface surface) {
-    if (isOneOf(kNotReplaceable, surface.name)) return;
+  void addSurface(NamedSurface surface) {
+    if (isOneOf(kFixedSurfaces, surface.name)) return;
     const std::string place = placeOf(surface.name);
-    if (!isOneOf(kReplaceable, surface.name)) return refuseName(surface.name, place);
+    if (!isOneOf(kReplaceableSurfaces, surface.name)) return refuseName(surface.name, place);
     if (!isSound(surface, place)) return;
     const auto same =
         std::find_if(anatomy_.surfaces.begin(), anatomy_.surfaces.end(), [&](const auto& other) {
@@ -120,9 +121,9 @@ class AnatomyReader {
 
   void refuseName(const std::string& name, const std::string& place) {
     // no name, or the name that the importer generates
-    const bool isOurs = name.empty() || name == "defaultobject";
+    const bool isGeneratedName = name.empty() || name == "defaultobject";
     problems_.add(
-        isOurs ? "object without a name" : place,
+        isGeneratedName ? "object without a name" : place,
         "nothing of the knee has this name",
         "name the objects tibia, femur or capsule (meniscus and punch are left out)");
   }
@@ -148,7 +149,9 @@ class AnatomyReader {
 
   /// Replaces normals without a direction by the normals of the adjacent triangles.
   void replaceInvalidNormals(NamedSurface& surface, const std::string& place) {
-    const auto hasDirection = [](const auto& n) { return isFinite(n) && lengthOf(n) > kShortest; };
+    const auto hasDirection = [](const auto& n) {
+      return isFinite(n) && lengthOf(n) > kShortestNormal;
+    };
     const auto whole = std::count_if(surface.normals.begin(), surface.normals.end(), hasDirection);
     const auto lost = static_cast<std::ptrdiff_t>(surface.normals.size()) - whole;
     if (lost == 0) return;
@@ -180,7 +183,7 @@ class AnatomyReader {
     if (longest >= kSmallestKnee && longest <= kLargestKnee) return;
     const std::string size = "it is " + rounded(longest) + " mm long, which is no knee's size";
     const std::string wanted = " (a knee has 20 to 400 mm)";
-    if (longest < kMetres) {
+    if (longest < kSmallestInMillimetres) {
       problems_.add(
           "",
           "it is less than 1 mm long" + wanted,
@@ -213,7 +216,7 @@ class AnatomyReader {
   void checkPlace(const NamedSurface& surface) {
     float nearest = std::numeric_limits<float>::max();
     for (const auto& place : surface.places) nearest = std::min(nearest, lengthOf(place));
-    if (nearest <= kFarthestAway) return;
+    if (nearest <= kFarthestSurface) return;
     problems_.add(
         placeOf(surface.name),
         "it comes no nearer than " + rounded(nearest) + " mm to the punch, and would not be seen",
@@ -236,7 +239,7 @@ std::optional<Anatomy> readAnatomy(std::string_view text, Problems& problems) {
   Problems found;
   AnatomyReader reader(found);
   try {
-    for (auto& surface : readObj(text)) reader.take(std::move(surface));
+    for (auto& surface : readObj(text)) reader.addSurface(std::move(surface));
   } catch (const base::UserError& error) {
     found.add("", error.what(), "save it as OBJ, with its faces");
   }

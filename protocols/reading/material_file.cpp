@@ -19,19 +19,19 @@ using questionnaires::Problems;
 constexpr std::string_view kMaterialFormat = "palpate-material-1";
 
 /// The JSON keys of a node, for force or torque.
-struct Keys {
+struct NodeKeys {
   const char* value;
   const char* slope;
 };
-constexpr Keys kForceKeys{"force_n", "slope_n_per_m"};
-constexpr Keys kTorqueKeys{"torque_nm", "slope_nm_per_m"};
+constexpr NodeKeys kForceKeys{"force_n", "slope_n_per_m"};
+constexpr NodeKeys kTorqueKeys{"torque_nm", "slope_nm_per_m"};
 
 constexpr double kDeepest = 1.0;  // [m]
 // Limit of each depth [m]. Depths between kDeepest and this limit are reported once per file, as a
 // wrong unit.
 constexpr double kLargestNumber = 1e9;
 
-reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys& keys) {
+reaming::CurveNodes readNodes(const Node& curves, const char* which, const NodeKeys& keys) {
   constexpr double kLargest = 1e6;    // [N, N·m]
   constexpr double kSteepest = 1e12;  // [N/m, N·m/m]
   reaming::CurveNodes nodes;
@@ -53,7 +53,7 @@ reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys&
   return nodes;
 }
 
-reaming::HardnessCurves readCurves(const Node& node, const Keys& keys) {
+reaming::HardnessCurves readCurves(const Node& node, const NodeKeys& keys) {
   // A fit to single specimens has a middle specimen in place of the average.
   const bool isOfSpecimens = node.has("middle_specimen") && !node.has("average");
   const char* middle = isOfSpecimens ? "middle_specimen" : "average";
@@ -69,7 +69,7 @@ reaming::Jitter readJitter(const Node& node) {
   return {node.number("rms_n", 0.0, 1e4), node.number("rate_hz", 0.1, 1e5)};
 }
 
-constexpr std::array kSets{
+constexpr std::array kTestSets{
     questionnaires::Choice<reaming::TestSet>{"static", reaming::TestSet::Static},
     questionnaires::Choice<reaming::TestSet>{"dynamic-1", reaming::TestSet::Dynamic1},
     questionnaires::Choice<reaming::TestSet>{"dynamic-2", reaming::TestSet::Dynamic2},
@@ -99,7 +99,7 @@ std::optional<reaming::Material> readMaterialRoot(const Node& root) {
       .isSynthetic = root.flag("synthetic", false)};
   for (const auto& node : root.requiredList("sets")) {
     if (!node.isObjectWithOnlyKeys({"test_set", "force", "torque", "jitter"})) continue;
-    reaming::MaterialSet set{.set = node.choice("test_set", kSets)};
+    reaming::MaterialSet set{.set = node.choice("test_set", kTestSets)};
     if (const auto force = node.requiredObject("force")) set.force = readCurves(*force, kForceKeys);
     if (const auto torque = node.object("torque")) set.torque = readCurves(*torque, kTorqueKeys);
     if (const auto jitter = node.object("jitter")) set.jitter = readJitter(*jitter);
@@ -118,7 +118,7 @@ std::optional<reaming::Material> readMaterialRoot(const Node& root) {
   return material;
 }
 
-Json asJson(const reaming::FittedCurve& curve, const Keys& keys) {
+Json asJson(const reaming::FittedCurve& curve, const NodeKeys& keys) {
   Json nodes = Json::array();
   for (const auto& node : curve.spline.nodes) {
     nodes.push_back(
@@ -132,7 +132,7 @@ const char* middleKeyOf(reaming::EnvelopeRule rule) {
   return rule == reaming::EnvelopeRule::Pointwise ? "average" : "middle_specimen";
 }
 
-Json asJson(const reaming::FittedEnvelope& envelope, const Keys& keys, const char* middle) {
+Json asJson(const reaming::FittedEnvelope& envelope, const NodeKeys& keys, const char* middle) {
   return {
       {"minimum", asJson(envelope.minimum, keys)},
       {middle, asJson(envelope.average, keys)},
@@ -159,7 +159,7 @@ Json errorsOf(const reaming::FittedEnvelope& envelope, const char* middle) {
 }
 
 /// The number of specimens behind the curves, at each depth at which it changes.
-Json specimensLeft(const reaming::FittedEnvelope& envelope) {
+Json specimenCounts(const reaming::FittedEnvelope& envelope) {
   Json stretches = Json::array();
   for (const auto& stretch : reaming::specimenCountsOf(envelope)) {
     stretches.push_back(
@@ -230,7 +230,7 @@ std::string materialAsJson(
     of = {
         {"series", set.used},
         {"scale_m", set.scale},
-        {"specimens", specimensLeft(set.force)},
+        {"specimens", specimenCounts(set.force)},
         {"force", errorsOf(set.force, middle)}};
     if (set.torque) of["torque"] = errorsOf(*set.torque, middle);
   }

@@ -25,7 +25,7 @@ namespace {
 constexpr float kSharpEdgeAngle = 40.0F;
 
 constexpr std::uintmax_t kLargestMesh = 512 * 1024 * 1024;  // [bytes]
-constexpr double kMostSteps = 1e8;  // of cutting faces into triangles; takes about 2 s
+constexpr double kMostSteps = 1e8;  // steps to cut faces into triangles; they take about 2 s
 
 /// A file system without files: a text that a study stores must not refer to files on the disk.
 class NoFiles final : public Assimp::IOSystem {
@@ -68,7 +68,7 @@ NamedSurface surfaceOf(const aiMesh& mesh, std::string name, bool hasNormals) {
 }
 
 /// Collects the meshes in the order of the file, each with the name of its object.
-void collect(
+void collectSurfaces(
     const aiScene& scene,
     const aiNode& node,
     const std::vector<bool>& hasNormals,
@@ -78,7 +78,7 @@ void collect(
     surfaces.push_back(surfaceOf(*scene.mMeshes[mesh], node.mName.C_Str(), hasNormals[mesh]));
   }
   for (unsigned i = 0; i < node.mNumChildren; ++i) {
-    collect(scene, *node.mChildren[i], hasNormals, surfaces);
+    collectSurfaces(scene, *node.mChildren[i], hasNormals, surfaces);
   }
 }
 
@@ -95,12 +95,13 @@ bool isFiniteMesh(const aiMesh& mesh) {
 std::string formatOf(std::string_view text) {
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return "ply";
   // A binary STL file has a header of 80 bytes, the number of triangles, and 50 bytes per triangle.
-  constexpr std::size_t kHead = 80;
+  constexpr std::size_t kStlHeaderBytes = 80;
   constexpr std::size_t kTriangle = 50;
-  if (text.size() >= kHead + sizeof(std::uint32_t)) {
+  if (text.size() >= kStlHeaderBytes + sizeof(std::uint32_t)) {
     std::uint32_t triangles = 0;
-    std::memcpy(&triangles, text.data() + kHead, sizeof triangles);
-    if (text.size() == kHead + sizeof triangles + kTriangle * std::size_t{triangles}) return "stl";
+    std::memcpy(&triangles, text.data() + kStlHeaderBytes, sizeof triangles);
+    if (text.size() == kStlHeaderBytes + sizeof triangles + kTriangle * std::size_t{triangles})
+      return "stl";
   }
   const auto start = text.substr(0, std::min<std::size_t>(text.size(), 64 * 1024));
   if (start.starts_with("solid") && start.find("facet") != std::string_view::npos) return "stl";
@@ -193,16 +194,19 @@ void requireFewCorners(const aiScene& scene) {
 }
 
 void read(
-    Assimp::Importer& importer, std::string_view text, const std::string& format, unsigned more) {
+    Assimp::Importer& importer,
+    std::string_view text,
+    const std::string& format,
+    unsigned additionalSteps) {
   if (format == "ply") requirePlausibleHeader(text);
   importer.SetIOHandler(new NoFiles);  // the importer becomes the owner
   keepOnlyReaderOf(importer, format);
   importer.ReadFileFromMemory(
-      text.data(), text.size(), aiProcess_ValidateDataStructure | more, format.c_str());
+      text.data(), text.size(), aiProcess_ValidateDataStructure | additionalSteps, format.c_str());
   if (const auto* scene = importer.GetScene()) requireFewCorners(*scene);
 }
 
-std::vector<NamedSurface> surfacesOf(Assimp::Importer& importer, unsigned more) {
+std::vector<NamedSurface> surfacesOf(Assimp::Importer& importer, unsigned additionalSteps) {
   const aiScene* scene = importer.GetScene();
   if (scene == nullptr || scene->mNumMeshes == 0) {
     throw base::UserError(
@@ -215,13 +219,14 @@ std::vector<NamedSurface> surfacesOf(Assimp::Importer& importer, unsigned more) 
     isSound = isSound && isFiniteMesh(*scene->mMeshes[i]);
   }
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSharpEdgeAngle);
-  if (isSound) scene = importer.ApplyPostProcessing(more | aiProcess_JoinIdenticalVertices);
+  if (isSound)
+    scene = importer.ApplyPostProcessing(additionalSteps | aiProcess_JoinIdenticalVertices);
   if (scene == nullptr || scene->mNumMeshes < hasNormals.size()) {
     throw base::UserError(std::string("it is damaged (") + importer.GetErrorString() + ")");
   }
   hasNormals.resize(scene->mNumMeshes, true);
   std::vector<NamedSurface> surfaces;
-  collect(*scene, *scene->mRootNode, hasNormals, surfaces);
+  collectSurfaces(*scene, *scene->mRootNode, hasNormals, surfaces);
   return surfaces;
 }
 

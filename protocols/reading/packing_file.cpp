@@ -20,13 +20,14 @@ constexpr std::string_view kPackingFormat = "palpate-packing-1";
 constexpr std::size_t kDigits = 8;  // hexadecimal digits of a number in single precision
 constexpr double kMostSpheres = 50e6;
 
-struct Head {
+struct PackingHeader {
   reaming::PackedBone bone;
   std::size_t spheres = 0;
   bool isFitted = false;
 };
 
-std::optional<Head> readHead(std::string_view line, Problems& problems, PackingOrigin* origin) {
+std::optional<PackingHeader> readHeader(
+    std::string_view line, Problems& problems, PackingOrigin* origin) {
   const auto value = questionnaires::parseJson(line, problems);
   if (!value) return std::nullopt;
   const Node root(*value, "$", problems);
@@ -47,7 +48,7 @@ std::optional<Head> readHead(std::string_view line, Problems& problems, PackingO
     return std::nullopt;
   }
   root.requireFormat("format", kPackingFormat, "write one with 'palpate packing build'");
-  Head head;
+  PackingHeader head;
   head.bone.name = root.id("name");
   head.bone.title = root.text("title");
   head.bone.isSynthetic = root.flag("synthetic", false);
@@ -92,7 +93,7 @@ bool readSphere(std::string_view line, bool isFitted, reaming::PackedBone& bone)
   return true;
 }
 
-void write(float number, std::string& text) {
+void appendNumber(float number, std::string& text) {
   constexpr std::string_view kHex = "0123456789abcdef";
   const auto bits = std::bit_cast<std::uint32_t>(number);
   for (int shift = 28; shift >= 0; shift -= 4) text += kHex[(bits >> shift) & 15U];
@@ -104,7 +105,7 @@ std::optional<reaming::PackedBone> readPacking(
     std::string_view text, Problems& problems, PackingOrigin* origin) {
   Problems found;
   const auto end = text.find('\n');
-  auto head = readHead(text.substr(0, end), found, origin);
+  auto head = readHeader(text.substr(0, end), found, origin);
   if (head && !found.hasErrors()) {
     auto rest = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
     while (!rest.empty()) {
@@ -154,11 +155,11 @@ std::string packingAsText(const reaming::PackedBone& bone, const PackingOrigin& 
   text.reserve(text.size() + spheres.size() * (kDigits * 7 + 1));
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     for (const float number : {spheres[i].x, spheres[i].y, spheres[i].z, spheres[i].radius}) {
-      write(number, text);
+      appendNumber(number, text);
     }
     if (isFitted) {
       for (const float density : {bone.minimum[i], bone.average[i], bone.maximum[i]}) {
-        write(density, text);
+        appendNumber(density, text);
       }
     }
     text += '\n';

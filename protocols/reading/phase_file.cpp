@@ -97,10 +97,10 @@ void readBenchmark(const Node& node, Phase& phase) {
 }
 
 void readBreak(const Node& node, Phase& phase) {
-  constexpr double kLongest = 86'400.0;  // [s]
+  constexpr double kLongestBreak = 86'400.0;  // [s]
   if (!node.isObjectWithOnlyKeys({"id", "type", "text", "seconds"})) return;
   phase.text = readLocalized(node, "text");
-  phase.seconds = node.number("seconds", 0.0, kLongest, 0.0);
+  phase.seconds = node.number("seconds", 0.0, kLongestBreak, 0.0);
 }
 
 void readPreference(const Node& node, Phase& phase) {

@@ -249,9 +249,10 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<SceneDat
     return readCondition(node, protocol, files, sources);
   });
   for (auto& device : protocol.devices) {
-    device.needsTorque =
-        std::any_of(protocol.conditions.begin(), protocol.conditions.end(), [&](const auto& felt) {
-          return felt.device == device.id && felt.model && haptics::engine::hasTorque(felt.scene());
+    device.needsTorque = std::any_of(
+        protocol.conditions.begin(), protocol.conditions.end(), [&](const auto& candidate) {
+          return candidate.device == device.id && candidate.model &&
+                 haptics::engine::hasTorque(candidate.scene());
         });
   }
   protocol.labels = readLabels(root);
@@ -316,7 +317,7 @@ bool isComplete(const std::vector<T>& all) noexcept {
 
 /// Whether the file has another format, judged by its "format". Its unknown keys are then not
 /// reported one by one.
-bool isOtherFile(const Node& root) {
+bool isOfOtherFormat(const Node& root) {
   constexpr std::string_view kCut = "palpate-cut-";
   const auto format = root.isObject() ? root.member("format") : std::nullopt;
   if (!format || !format->isText()) return false;
@@ -358,7 +359,7 @@ std::optional<UnvalidatedProtocol> readUnvalidatedProtocol(
   const auto value = questionnaires::parseJson(json, problems);
   if (!value) return std::nullopt;
   const Node root(*value, "$", problems);
-  if (isOtherFile(root)) return std::nullopt;
+  if (isOfOtherFormat(root)) return std::nullopt;
   if (!root.isObjectWithOnlyKeys(
           {"$schema",
            "study",

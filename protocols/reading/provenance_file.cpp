@@ -11,7 +11,7 @@ using haptics::recordings::RowRange;
 using questionnaires::Node;
 using questionnaires::Value;
 
-/// A whole number from 1; 0 if @p value is none.
+/// The whole number in @p value; 0 if @p value is no whole number of at least 1.
 std::size_t countOf(const Value& value) {
   const auto* whole = std::get_if<std::int64_t>(&value.data);
   return whole == nullptr || *whole < 1 ? 0 : static_cast<std::size_t>(*whole);

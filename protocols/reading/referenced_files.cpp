@@ -42,17 +42,17 @@ const T* ReferencedFiles::readOnce(
     const std::string& name,
     const std::string& path,
     const Read& read,
-    const FileExtension& ending) {
+    const FileExtension& extension) {
   if (name.empty()) return nullptr;
   auto file = known.find(name);
   if (file == known.end()) {
     const auto text = textOf(name, path);
     if (!text) return nullptr;
-    if (!name.ends_with(ending.ending)) {
+    if (!name.ends_with(extension.extension)) {
       problems_.add(
           path,
-          "'" + shown(name) + "' does not end in '" + std::string(ending.ending) + "'",
-          std::string(ending.fix));
+          "'" + shown(name) + "' does not end in '" + std::string(extension.extension) + "'",
+          std::string(extension.fix));
       return nullptr;
     }
     Problems inFile;
@@ -203,8 +203,8 @@ namespace {
 using base::Message;
 using haptics::recordings::Cut;
 
-/// The travel over which the force of the parametric cut falls to zero [travel units], as long as
-/// that of 'ramp-out'.
+/// The travel over which the force of the parametric cut falls to zero [travel units]; the same
+/// travel as for 'ramp-out'.
 constexpr double kParametricRelease = 1.5;
 
 std::vector<Message> originOf(const haptics::recordings::Provenance& provenance) {
@@ -335,8 +335,8 @@ std::shared_ptr<const Anatomy> SceneSources::anatomy(
   return knee;
 }
 
-/// Adds a source to the list, unless a condition added it already; adds the condition to the
-/// source's conditions.
+/// Adds the condition to the conditions of @p source in the list. If the source is not in the list
+/// yet, adds it first.
 void SceneSources::add(SceneDataSource source) {
   auto known = std::find_if(all_.begin(), all_.end(), [&](const auto& other) {
     return other.kind == source.kind && other.file == source.file && other.origin == source.origin;

@@ -76,7 +76,7 @@ class ReferencedFiles {
 
   /// The required extension of a kind of file, and the fix that is reported for another extension.
   struct FileExtension {
-    std::string_view ending;
+    std::string_view extension;
     std::string_view fix;
   };
 
@@ -86,7 +86,7 @@ class ReferencedFiles {
       const std::string& name,
       const std::string& path,
       const Read& read,
-      const FileExtension& ending = {});
+      const FileExtension& extension = {});
   void addProblemsOf(const questionnaires::Problems& found, const std::string& file);
   void completeWording(
       questionnaires::Instrument& instrument,

@@ -23,8 +23,8 @@ using questionnaires::Node;
 namespace engine = haptics::engine;
 namespace models = haptics::models;
 
-/// What the reading of a model needs besides its JSON.
-struct Context {
+/// The data that are needed to read a model, besides its JSON.
+struct SceneContext {
   SceneSources& sources;
   /// Kind of the condition's device; nullptr if it could not be read.
   const haptics::devices::DeviceKind* device;
@@ -32,7 +32,7 @@ struct Context {
 
 /// A complete model; std::nullopt if there is a problem.
 template <typename Spec>
-using Read = std::optional<Spec>;
+using MaybeSpec = std::optional<Spec>;
 
 constexpr auto kDefaultProcessNoise = models::ProcessNoiseReading::StateOrder;
 using haptics::reaming::TestSet;
@@ -56,11 +56,11 @@ void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec
   if (isBothWays && cut.opening) spec.opening = curveOf(*cut.opening);
 }
 
-/// @param beyond  extrapolation if the file does not set it.
-Read<engine::InterpolationSpec> readInterpolation(
-    const Node& node, const Context& context, models::Extrapolation beyond) {
+/// @param defaultExtrapolation  extrapolation if the file does not set it.
+MaybeSpec<engine::InterpolationSpec> readInterpolation(
+    const Node& node, const SceneContext& context, models::Extrapolation defaultExtrapolation) {
   engine::InterpolationSpec spec;
-  spec.options.extrapolation = beyond;
+  spec.options.extrapolation = defaultExtrapolation;
   if (!node.isObjectWithOnlyKeys(
           {"cut", "beyond", "ramp_length", "branches", "turning_width", "slope_limit"})) {
     return std::nullopt;
@@ -78,7 +78,7 @@ Read<engine::InterpolationSpec> readInterpolation(
   return spec;
 }
 
-Read<engine::FiniteElementsSpec> readFiniteElements(const Node& node) {
+MaybeSpec<engine::FiniteElementsSpec> readFiniteElements(const Node& node) {
   engine::FiniteElementsSpec spec;
   auto& p = spec.parameters;
   if (!node.isObjectWithOnlyKeys(
@@ -120,7 +120,8 @@ Read<engine::FiniteElementsSpec> readFiniteElements(const Node& node) {
   return spec;
 }
 
-/// Refuses numbers in the noise "as printed", whose numbers are those of the paper.
+/// Refuses numbers beside the process noise "as printed", because this noise has the numbers of the
+/// paper.
 void refuseNumbersBesideAsPrinted(const Node& node) {
   for (const auto* key : {"process_force", "process_covariance", "process_stiffness"}) {
     if (!node.has(key)) continue;
@@ -154,7 +155,7 @@ void readNoise(const Node& node, engine::KalmanSpec& spec) {
   spec.noise = noise;
 }
 
-Read<engine::KalmanSpec> readKalman(const Node& node, const Context& context) {
+MaybeSpec<engine::KalmanSpec> readKalman(const Node& node, const SceneContext& context) {
   engine::KalmanSpec spec{
       .noise = models::KalmanNoise<double>::published(kDefaultProcessNoise),
       .scheme = models::KalmanScheme::SpaceDomain};
@@ -164,17 +165,17 @@ Read<engine::KalmanSpec> readKalman(const Node& node, const Context& context) {
   }
   spec.scheme = node.choice("variant", engine::kSchemeNames, spec.scheme);
   spec.smoothing = node.choice("smoothing", engine::kSmoothingNames, spec.smoothing);
-  const auto beyond = context.sources.defaults() == Defaults::Release01
-                          ? models::Extrapolation::RampOut
-                          : models::Extrapolation::Absent;
-  Read<engine::InterpolationSpec> interpolation;
+  const auto defaultExtrapolation = context.sources.defaults() == Defaults::Release01
+                                        ? models::Extrapolation::RampOut
+                                        : models::Extrapolation::Absent;
+  MaybeSpec<engine::InterpolationSpec> interpolation;
   if (const auto part = node.object("interpolation")) {
-    interpolation = readInterpolation(*part, context, beyond);
+    interpolation = readInterpolation(*part, context, defaultExtrapolation);
   } else {
-    interpolation.emplace().options.extrapolation = beyond;
+    interpolation.emplace().options.extrapolation = defaultExtrapolation;
     useCut(*context.sources.cut(std::string(kParametricCut), {}), *interpolation);
   }
-  Read<engine::FiniteElementsSpec> elements = engine::FiniteElementsSpec{};
+  MaybeSpec<engine::FiniteElementsSpec> elements = engine::FiniteElementsSpec{};
   if (const auto part = node.object("finite_elements")) elements = readFiniteElements(*part);
   if (const auto part = node.object("noise")) readNoise(*part, spec);
   if (!interpolation || !elements) return std::nullopt;
@@ -196,7 +197,7 @@ void refuseWithoutMaterial(const Node& node) {
 
 /// Copies the curves of a fitted material to @p spec; false, with a problem, if the material has
 /// none.
-bool useMaterial(const Node& node, const Context& context, engine::MaterialSpec& spec) {
+bool useMaterial(const Node& node, const SceneContext& context, engine::MaterialSpec& spec) {
   const auto name = node.text("material");
   const auto set = node.choice("test_set", kTestSets, TestSet::Dynamic1);
   // static tests press on bone without removing it
@@ -222,7 +223,7 @@ bool useMaterial(const Node& node, const Context& context, engine::MaterialSpec&
   return true;
 }
 
-Read<engine::MaterialSpec> readMaterial(const Node& node, const Context& context) {
+MaybeSpec<engine::MaterialSpec> readMaterial(const Node& node, const SceneContext& context) {
   engine::MaterialSpec spec{.nodes = engine::parametricMaterial()};
   if (!node.isObjectWithOnlyKeys(
           {"hardness",
@@ -241,7 +242,7 @@ Read<engine::MaterialSpec> readMaterial(const Node& node, const Context& context
   if (node.has("material")) {
     const bool hasCurves = useMaterial(node, context, spec);
     spec.isRemoved = node.flag("removal", spec.isRemoved);
-    return hasCurves ? Read<engine::MaterialSpec>(spec) : std::nullopt;
+    return hasCurves ? MaybeSpec<engine::MaterialSpec>(spec) : std::nullopt;
   }
   spec.isRemoved = node.flag("removal", spec.isRemoved);
   refuseWithoutMaterial(node);
@@ -263,7 +264,7 @@ Read<engine::MaterialSpec> readMaterial(const Node& node, const Context& context
   return spec;
 }
 
-Read<engine::PackingSpec> readPacking(const Node& node, const Context& context) {
+MaybeSpec<engine::PackingSpec> readPacking(const Node& node, const SceneContext& context) {
   engine::PackingSpec spec;
   if (!node.isObjectWithOnlyKeys(
           {"hardness",
@@ -296,9 +297,9 @@ Read<engine::PackingSpec> readPacking(const Node& node, const Context& context) 
 /// The function that reads a model; there is one for each model. A registered model without this
 /// function does not compile.
 template <typename Spec>
-Read<Spec> readModel(const Node& parameters, const Context& context) = delete;
+MaybeSpec<Spec> readModel(const Node& parameters, const SceneContext& context) = delete;
 template <>
-Read<engine::InterpolationSpec> readModel(const Node& node, const Context& context) {
+MaybeSpec<engine::InterpolationSpec> readModel(const Node& node, const SceneContext& context) {
   auto spec = readInterpolation(node, context, models::Extrapolation::RampOut);
   if (spec && spec->options.extrapolation == models::Extrapolation::Absent) {
     node.problem(
@@ -309,19 +310,19 @@ Read<engine::InterpolationSpec> readModel(const Node& node, const Context& conte
   return spec;
 }
 template <>
-Read<engine::FiniteElementsSpec> readModel(const Node& node, const Context&) {
+MaybeSpec<engine::FiniteElementsSpec> readModel(const Node& node, const SceneContext&) {
   return readFiniteElements(node);
 }
 template <>
-Read<engine::KalmanSpec> readModel(const Node& node, const Context& context) {
+MaybeSpec<engine::KalmanSpec> readModel(const Node& node, const SceneContext& context) {
   return readKalman(node, context);
 }
 template <>
-Read<engine::MaterialSpec> readModel(const Node& node, const Context& context) {
+MaybeSpec<engine::MaterialSpec> readModel(const Node& node, const SceneContext& context) {
   return readMaterial(node, context);
 }
 template <>
-Read<engine::PackingSpec> readModel(const Node& node, const Context& context) {
+MaybeSpec<engine::PackingSpec> readModel(const Node& node, const SceneContext& context) {
   return readPacking(node, context);
 }
 
@@ -340,28 +341,29 @@ engine::Reamer readReamer(const Node& scene, Defaults defaults) {
   return reamer;
 }
 
-using ReadModel = Read<engine::ModelSpec> (*)(const Node&, const Context&);
+using ReadModel = MaybeSpec<engine::ModelSpec> (*)(const Node&, const SceneContext&);
 
 template <typename... Spec>
 constexpr auto readersOf(std::type_identity<std::variant<Spec...>>) {
   return std::array{Choice<ReadModel>{
-      Spec::kInfo.name, [](const Node& node, const Context& context) -> Read<engine::ModelSpec> {
+      Spec::kInfo.name,
+      [](const Node& node, const SceneContext& context) -> MaybeSpec<engine::ModelSpec> {
         return readModel<Spec>(node, context);
       }}...};
 }
-constexpr auto kModels = readersOf(std::type_identity<engine::ModelSpec>{});
+constexpr auto kModelReaders = readersOf(std::type_identity<engine::ModelSpec>{});
 
 /// Other names of models in the literature, for hints.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOtherNames{
     {{"fem", "finite-elements"}, {"kf", "kalman"}}};
 
 ReadModel readerOf(std::string_view name) {
-  return std::ranges::find(kModels, name, &Choice<ReadModel>::name)->value;
+  return std::ranges::find(kModelReaders, name, &Choice<ReadModel>::name)->value;
 }
 
 /// The function that reads the model of a scene. An unknown model is a problem; the model with the
 /// most similar name is then used to read the parameters, so that their problems are reported, too.
-std::optional<ReadModel> readModelName(const Node& scene) {
+std::optional<ReadModel> chooseModelReader(const Node& scene) {
   const auto name = scene.member("model");
   const auto written = name && name->isText() ? name->asText() : std::string();
   const auto other = std::ranges::find(
@@ -373,9 +375,9 @@ std::optional<ReadModel> readModelName(const Node& scene) {
         "did you mean '" + std::string(other->second) + "'?");
     return readerOf(other->second);
   }
-  if (const auto known = readChoice(scene, "model", kModels)) return known;
+  if (const auto known = readChoice(scene, "model", kModelReaders)) return known;
   std::vector<std::string_view> names;
-  for (const auto& model : kModels) names.push_back(model.name);
+  for (const auto& model : kModelReaders) names.push_back(model.name);
   const auto meant = questionnaires::nearest(written, names);
   return meant ? std::optional(readerOf(*meant)) : std::nullopt;
 }
@@ -404,8 +406,8 @@ void readScene(
   if (scene.has("anatomy")) condition.anatomy = scene.text("anatomy");
   condition.reamer = readReamer(scene, sources.defaults());
   const auto* device = protocol.device(condition.device);
-  const Context context{sources, device == nullptr ? nullptr : device->kind};
-  const auto read = readModelName(scene);
+  const SceneContext context{sources, device == nullptr ? nullptr : device->kind};
+  const auto read = chooseModelReader(scene);
   const auto parameters = scene.requiredObject("parameters");
   if (read && parameters) {
     auto model = (*read)(*parameters, context);

@@ -9,7 +9,7 @@ namespace {
 
 using questionnaires::LocalizedText;
 
-constexpr std::string_view kKey = "\"texts\"";
+constexpr std::string_view kTextsKey = "\"texts\"";
 constexpr std::string_view kSpaces = " \t\r\n";
 
 std::string quoted(const std::string& text) {
@@ -121,7 +121,7 @@ std::string withName(std::string_view json, const std::string& id, const std::st
 }
 
 std::string withTexts(std::string_view json, const std::map<std::string, LocalizedText>& texts) {
-  const auto members = membersOf(json, kKey);
+  const auto members = membersOf(json, kTextsKey);
   const bool isThere = members.wanted.begin != std::string_view::npos;
   std::string result(json);
   if (texts.empty()) {
@@ -132,7 +132,7 @@ std::string withTexts(std::string_view json, const std::map<std::string, Localiz
     if (isFirst) end = json.find_first_not_of(kSpaces, json.find(',', end) + 1);
     return result.erase(begin, end - begin);
   }
-  const auto member = std::string(kKey) + ": " + asJson(texts);
+  const auto member = std::string(kTextsKey) + ": " + asJson(texts);
   if (isThere)
     return result.replace(members.wanted.begin, members.wanted.end - members.wanted.begin, member);
   return result.insert(members.all.end, ",\n  " + member);

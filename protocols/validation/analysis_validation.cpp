@@ -25,7 +25,7 @@ class FamilyCheck {
   void all() {
     if (isValidId(family_.instrument)) instrument();
     for (std::size_t i = 0; i < family_.blocks.size(); ++i) block(i);
-    for (std::size_t i = 0; i < family_.comparisons.size(); ++i) comparison(i);
+    for (std::size_t i = 0; i < family_.comparisons.size(); ++i) checkComparison(i);
   }
 
  private:
@@ -44,7 +44,7 @@ class FamilyCheck {
     const auto* asked = draft_.loaded.instrument(family_.instrument);
     if (asked == nullptr) return;
     if (family_.score.empty()) {
-      statements(*asked);
+      checkStatements(*asked);
     } else {
       score(*asked);
     }
@@ -61,7 +61,7 @@ class FamilyCheck {
            });
   }
 
-  void statements(const questionnaires::Instrument& asked) {
+  void checkStatements(const questionnaires::Instrument& asked) {
     for (std::size_t i = 0; i < family_.items.size(); ++i) item(asked, i);
     const auto compared = comparedItems(family_, asked.items);
     std::optional<ComparedScale> first;
@@ -113,7 +113,7 @@ class FamilyCheck {
       const Phase& phase,
       const ConditionQuestionnaire& questionnaire) {
     for (const auto& condition : phase.trials.conditions) {
-      const auto items = asked.itemsOf(questionnaire.setFor(condition));
+      const auto items = asked.itemsOf(questionnaire.itemSetFor(condition));
       const auto isAsked = [&](const std::string& id) {
         return std::ranges::count(items, id, &questionnaires::Item::id) > 0;
       };
@@ -153,7 +153,7 @@ class FamilyCheck {
         "correct the name");
   }
 
-  void comparison(std::size_t index) {
+  void checkComparison(std::size_t index) {
     const auto& pair = family_.comparisons[index];
     const std::string path = path_ + ".comparisons[" + std::to_string(index) + "]";
     checkComparedCondition(pair.first, path + ".first");
@@ -200,9 +200,11 @@ class FamilyCheck {
   }
 
   static bool mayContainCondition(const Block& block, const std::string& condition) {
-    const auto& felt = block.conditions;
-    return felt.empty() || !std::all_of(felt.begin(), felt.end(), isValidId) ||
-           std::find(felt.begin(), felt.end(), condition) != felt.end();
+    const auto& blockConditions = block.conditions;
+    return blockConditions.empty() ||
+           !std::all_of(blockConditions.begin(), blockConditions.end(), isValidId) ||
+           std::find(blockConditions.begin(), blockConditions.end(), condition) !=
+               blockConditions.end();
   }
 
   const UnvalidatedProtocol& draft_;

@@ -22,9 +22,9 @@ class BlindingCheck {
     if (protocol_.labels.policy == LabelPolicy::Condition) {
       found_.push_back({"$.labels.policy", message("labels_tell"), message("labels_tell.fix")});
     }
-    conditionsAloneInTheirBlocks();
+    reportConditionsAloneInTheirBlocks();
     for (std::size_t i = 0; i < protocol_.phases.size(); ++i) {
-      if (protocol_.phases[i].type == PhaseType::Block) block(i);
+      if (protocol_.phases[i].type == PhaseType::Block) checkBlock(i);
     }
     return std::move(found_);
   }
@@ -33,7 +33,7 @@ class BlindingCheck {
   /// Reports a condition if no other condition is in exactly the same blocks, because the blocks
   /// then identify it in spite of its code. Conditions that are alone in each of their blocks are
   /// not reported.
-  void conditionsAloneInTheirBlocks() {
+  void reportConditionsAloneInTheirBlocks() {
     std::map<std::string, std::set<std::string>> blocksOf;
     std::set<std::string> compared;
     for (const auto& phase : protocol_.phases) {
@@ -53,7 +53,7 @@ class BlindingCheck {
     }
   }
 
-  void block(std::size_t index) {
+  void checkBlock(std::size_t index) {
     const auto& phase = protocol_.phases[index];
     if (phase.trials.conditions.size() < 2) return;
     const std::string path = "$.phases[" + std::to_string(index) + "]";
@@ -65,7 +65,7 @@ class BlindingCheck {
     for (std::size_t i = 0; i < phase.trials.questionnaires.size(); ++i) {
       std::set<std::string> sets;
       for (const auto& condition : phase.trials.conditions) {
-        sets.insert(phase.trials.questionnaires[i].setFor(condition));
+        sets.insert(phase.trials.questionnaires[i].itemSetFor(condition));
       }
       if (sets.size() < 2) continue;
       found_.push_back(

@@ -31,7 +31,7 @@ class BlockCheck {
   void all() {
     conditions();
     order();
-    for (std::size_t i = 0; i < block_.questionnaires.size(); ++i) questionnaire(i);
+    for (std::size_t i = 0; i < block_.questionnaires.size(); ++i) checkQuestionnaire(i);
   }
 
  private:
@@ -97,7 +97,7 @@ class BlockCheck {
     return false;
   }
 
-  void questionnaire(std::size_t index) {
+  void checkQuestionnaire(std::size_t index) {
     const auto& asked = block_.questionnaires[index];
     const std::string path = path_ + ".questionnaires[" + std::to_string(index) + "]";
     for (std::size_t i = 0; i < index; ++i) {
@@ -120,8 +120,9 @@ class BlockCheck {
       const std::string& condition,
       const std::string& set,
       const std::string& path) {
-    const auto& mine = block_.conditions;
-    if (!mine.empty() && std::find(mine.begin(), mine.end(), condition) == mine.end()) {
+    const auto& ownConditions = block_.conditions;
+    if (!ownConditions.empty() &&
+        std::find(ownConditions.begin(), ownConditions.end(), condition) == ownConditions.end()) {
       problems_.add(
           path, "this block has no condition '" + shown(condition) + "'", "correct the name");
     }

@@ -26,7 +26,7 @@ class BlockWarningCheck {
     if (phase_.trials.order.type == OrderType::Fixed) {
       warnOfFixedOrder();
     } else {
-      balance();
+      warnOfImbalance();
     }
   }
 
@@ -36,7 +36,7 @@ class BlockWarningCheck {
     const auto& asked = phase_.trials.questionnaires[index];
     for (const auto& condition : phase_.trials.conditions) {
       if (!mayBeFirst(condition)) continue;
-      const auto items = loaded_.instrument(asked.instrument)->itemsOf(asked.setFor(condition));
+      const auto items = loaded_.instrument(asked.instrument)->itemsOf(asked.itemSetFor(condition));
       for (const auto& item : items) {
         if (item.comparedWith != questionnaires::Reference::Previous) continue;
         problems_.warn(
@@ -64,7 +64,7 @@ class BlockWarningCheck {
     problems_.warn(path_ + ".order", message("same_order"), message("same_order.fix"));
   }
 
-  void balance() {
+  void warnOfImbalance() {
     const auto k = static_cast<int>(phase_.trials.conditions.size());
     const auto rows = rowsOf(phase_.trials.order.type, k).size();
     if (rows == 0) return;  // the order is drawn, or is that of another block
@@ -84,7 +84,7 @@ class BlockWarningCheck {
   Problems& problems_;
 };
 
-bool isOf(const Family& family, const Phase& phase) {
+bool usesPhase(const Family& family, const Phase& phase) {
   const auto& only = family.blocks;
   return only.empty() || std::find(only.begin(), only.end(), phase.id) != only.end();
 }
@@ -94,7 +94,7 @@ bool hasUnlikeStatements(const Family& family, const Phase& phase) {
   std::set<std::string> sets;
   for (const auto& asked : phase.trials.questionnaires) {
     if (asked.instrument != family.instrument) continue;
-    for (const auto& condition : phase.trials.conditions) sets.insert(asked.setFor(condition));
+    for (const auto& condition : phase.trials.conditions) sets.insert(asked.itemSetFor(condition));
   }
   return sets.size() > 1;
 }
@@ -116,7 +116,7 @@ void addAnalysisWarnings(const Protocol& protocol, Problems& problems) {
   for (std::size_t i = 0; i < families.size(); ++i) {
     const auto unlike =
         std::find_if(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
-          return isOf(families[i], phase) && hasUnlikeStatements(families[i], phase);
+          return usesPhase(families[i], phase) && hasUnlikeStatements(families[i], phase);
         });
     if (unlike == protocol.phases.end()) continue;
     problems.warn(
@@ -158,7 +158,7 @@ bool isScored(const Instrument& instrument, const std::string& item) {
 
 /// Whether the answers to @p item are numbers or choices that a family could compare. Choices among
 /// alternatives are votes and do not count.
-bool isCounted(const Item& item) {
+bool isCountable(const Item& item) {
   return questionnaires::answerKindOf(item.type) != questionnaires::AnswerKind::Text &&
          item.optionSource == questionnaires::OptionSource::Listed && item.consentOption.empty() &&
          !item.isIdentifying;
@@ -168,8 +168,8 @@ bool isCounted(const Item& item) {
 std::string unusedItems(const Protocol& protocol, const Instrument& instrument) {
   std::string ids;
   for (const auto& item : instrument.items) {
-    const bool isUsed = !isCounted(item) || item.acceptableFrom || isScored(instrument, item.id) ||
-                        isCompared(protocol, instrument, item);
+    const bool isUsed = !isCountable(item) || item.acceptableFrom ||
+                        isScored(instrument, item.id) || isCompared(protocol, instrument, item);
     if (!isUsed) ids += (ids.empty() ? "" : ", ") + item.id;
   }
   return ids;
@@ -180,11 +180,11 @@ std::string unusedItems(const Protocol& protocol, const Instrument& instrument) 
 void addItemWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems) {
   const auto& protocol = loaded.protocol;
   if (protocol.analysis.families.empty()) return;  // addAnalysisWarnings() reports missing families
-  std::set<std::string> told;
-  bool isBefore = true;  // forms before the first block are about the participant
+  std::set<std::string> reportedInstruments;
+  bool isBeforeFirstBlock = true;  // forms before the first block are about the participant
   for (const auto& use : instrumentUses(protocol)) {
-    if (use.phase == PhaseType::Block) isBefore = false;
-    if (isBefore || !told.insert(use.instrument).second) continue;
+    if (use.phase == PhaseType::Block) isBeforeFirstBlock = false;
+    if (isBeforeFirstBlock || !reportedInstruments.insert(use.instrument).second) continue;
     const auto ids = unusedItems(protocol, *loaded.instrument(use.instrument));
     if (ids.empty()) continue;
     problems.warn(

@@ -33,7 +33,7 @@ void adviseOnWeight(const engine::KalmanSpec& spec, const std::string& path, Pro
 void adviseOnBranches(
     const engine::InterpolationSpec& spec, const std::string& path, Problems& problems) {
   if (spec.branches != engine::Branches::Hysteresis) return;
-  constexpr double kNoticeable = 0.05;  // [N]
+  constexpr double kNoticeableForce = 0.05;  // [N]
   double most = 0.0;
   double where = 0.0;
   for (const auto& forces : engine::branchesAtKinks(spec)) {
@@ -43,7 +43,7 @@ void adviseOnBranches(
       where = forces.travel;
     }
   }
-  if (most < kNoticeable) return;
+  if (most < kNoticeableForce) return;
   const auto shown = [](double value) { return std::to_string(value).substr(0, 5); };
   problems.warn(
       path + ".parameters",
@@ -79,8 +79,9 @@ void adviseOnLimit(
 /// Whether a block shows the tissue of @p condition.
 bool isVisualised(const Protocol& protocol, const Condition& condition) {
   return std::any_of(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
-    const auto& felt = phase.trials.conditions;
-    const bool isFelt = std::find(felt.begin(), felt.end(), condition.id) != felt.end();
+    const auto& blockConditions = phase.trials.conditions;
+    const bool isFelt = std::find(blockConditions.begin(), blockConditions.end(), condition.id) !=
+                        blockConditions.end();
     return isFelt && phase.trials.isVisualised.value_or(condition.isVisualised);
   });
 }
@@ -138,7 +139,7 @@ struct AskedItems {
 /// Whether the questionnaire @p asked contains @p item for @p condition.
 bool isAskedAbout(
     const ConditionQuestionnaire& asked, const Item& item, const std::string& condition) {
-  const auto set = asked.setFor(condition);
+  const auto set = asked.itemSetFor(condition);
   return set.empty() || item.set == set;
 }
 
@@ -159,7 +160,7 @@ std::vector<Item> itemsAsked(
   return items;
 }
 
-std::vector<AskedItems> askedIn(const LoadedProtocol& loaded, std::size_t index) {
+std::vector<AskedItems> itemsAskedIn(const LoadedProtocol& loaded, std::size_t index) {
   const auto& phase = loaded.protocol.phases[index];
   const std::string path = "$.phases[" + std::to_string(index) + "]";
   std::vector<AskedItems> all;
@@ -178,8 +179,8 @@ std::vector<AskedItems> askedIn(const LoadedProtocol& loaded, std::size_t index)
   return all;
 }
 
-/// The ids of those of @p items that ask about a benchmark: "'1.1', '3.2'".
-std::string aboutBenchmark(const std::vector<Item>& items) {
+/// The ids of the items in @p items that ask about a benchmark: "'1.1', '3.2'".
+std::string benchmarkItemIds(const std::vector<Item>& items) {
   std::string names;
   for (const auto& item : items) {
     if (item.neededFeature != StudyFeature::Benchmark) continue;
@@ -211,7 +212,7 @@ std::optional<base::Message> messageIfNotRendered(const Condition& condition, co
 }
 
 /// Warns of each item once, for the first condition that does not render what it asks about.
-void adviseOn(
+void adviseOnItem(
     const Protocol& protocol,
     const Block& block,
     const ConditionQuestionnaire& asked,
@@ -234,8 +235,8 @@ void validateBenchmarks(const UnvalidatedProtocol& draft, Problems& problems) {
   const auto& phases = draft.loaded.protocol.phases;
   for (std::size_t i = 0; i < phases.size(); ++i) {
     if (phases[i].type == PhaseType::Benchmark) return;
-    for (const auto& asked : askedIn(draft.loaded, i)) {
-      const auto names = aboutBenchmark(asked.items);
+    for (const auto& asked : itemsAskedIn(draft.loaded, i)) {
+      const auto names = benchmarkItemIds(asked.items);
       if (names.empty()) continue;
       problems.add(
           asked.path,
@@ -256,7 +257,7 @@ void addReferentWarnings(const LoadedProtocol& loaded, Problems& problems) {
           "$.phases[" + std::to_string(i) + "].questionnaires[" + std::to_string(q) + "]";
       const auto& asked = block.questionnaires[q];
       for (const auto& item : loaded.instrument(asked.instrument)->items) {
-        adviseOn(protocol, block, asked, item, path, problems);
+        adviseOnItem(protocol, block, asked, item, path, problems);
       }
     }
   }

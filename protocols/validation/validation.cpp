@@ -69,9 +69,10 @@ bool isVisualised(const UnvalidatedProtocol& draft, const Condition& condition) 
   const auto& phases = draft.loaded.protocol.phases;
   return condition.isVisualised ||
          std::any_of(phases.begin(), phases.end(), [&](const auto& phase) {
-           const auto& felt = phase.trials.conditions;
+           const auto& blockConditions = phase.trials.conditions;
            return phase.trials.isVisualised.value_or(false) &&
-                  std::find(felt.begin(), felt.end(), condition.id) != felt.end();
+                  std::find(blockConditions.begin(), blockConditions.end(), condition.id) !=
+                      blockConditions.end();
          });
 }
 
@@ -208,15 +209,18 @@ constexpr double kPainlessForce = 140.0;
 
 constexpr double kTick = 0.001;  // period of the force loop [s]
 
-/// Refuses a change within one tick, at which the device is sent the largest value at once.
-/// @param what  "force" or "torque", @param rate  [@p unit], @param largest  of the value
+/// Refuses a rate limit so high that a value could rise from zero to its largest within one tick,
+/// which the hand would feel as a blow.
+/// @param what  name of the value: "force" or "torque"
+/// @param rate  limit of its rate [@p unit]
+/// @param largest  limit of the value itself
 void validateRate(
     const std::string& path,
     const std::string& what,
     double rate,
     const std::string& unit,
     double largest,
-    const std::string& usual,
+    const std::string& usualAdvice,
     questionnaires::Problems& problems) {
   const double steepest = largest / kTick;
   if (rate <= steepest) return;
@@ -224,7 +228,7 @@ void validateRate(
       path,
       "a device is sent a " + what + " every 1 ms, and at " + shown(rate) + " " + unit +
           " the largest one comes at once, as a blow",
-      "write less than " + shown(steepest) + "; " + usual);
+      "write less than " + shown(steepest) + "; " + usualAdvice);
 }
 
 void validateTorque(

@@ -30,7 +30,7 @@ bool isInLibrary(const std::string& instrument) {
   });
 }
 
-/// Adds the warnings about texts, instruments and unused parts.
+/// Adds the warnings about the texts, the instruments and the unused parts of a protocol.
 class ProtocolWarningCheck {
  public:
   ProtocolWarningCheck(const LoadedProtocol& loaded, Problems& problems)
@@ -45,16 +45,16 @@ class ProtocolWarningCheck {
   }
 
   void addInstrumentWarnings() {
-    std::set<std::string> told;
+    std::set<std::string> usedInstruments;
     for (const auto& use : instrumentUses(protocol_)) {
-      if (!told.insert(use.instrument).second) continue;
+      if (!usedInstruments.insert(use.instrument).second) continue;
       const auto* instrument = loaded_.instrument(use.instrument);
-      languagesOf(*instrument, use.path);
-      occasionsOf(*instrument, use.path);
-      if (!isFromFile(*instrument)) fromLibrary(*instrument);
+      warnOfLanguages(*instrument, use.path);
+      warnOfOccasions(*instrument, use.path);
+      if (!isFromFile(*instrument)) addLibraryWarnings(*instrument);
     }
     for (std::size_t i = 0; i < protocol_.instrumentFiles.size(); ++i) {
-      file(loaded_.instruments[i].id, at("instrument_files", i), told);
+      file(loaded_.instruments[i].id, at("instrument_files", i), usedInstruments);
     }
   }
 
@@ -105,7 +105,7 @@ class ProtocolWarningCheck {
     }
   }
 
-  void languagesOf(const Instrument& instrument, const std::string& path) {
+  void warnOfLanguages(const Instrument& instrument, const std::string& path) {
     for (const auto& language : protocol_.languages) {
       if (isAmong(instrument.languages, language)) continue;
       problems_.warn(
@@ -116,7 +116,7 @@ class ProtocolWarningCheck {
   }
 
   /// Warns if an instrument whose result is a change is not asked both before and after.
-  void occasionsOf(const Instrument& instrument, const std::string& path) {
+  void warnOfOccasions(const Instrument& instrument, const std::string& path) {
     if (instrument.occasions != questionnaires::Occasions::BeforeAndAfter) return;
     const auto uses = instrumentUses(protocol_);
     const auto times = std::count_if(uses.begin(), uses.end(), [&](const InstrumentUse& use) {
@@ -135,16 +135,17 @@ class ProtocolWarningCheck {
   /// Adds the warnings about an instrument of the library. Leaves out warnings about statements
   /// that compare with the previous alternative: addBlockWarnings() gives those where a block may
   /// have no previous alternative.
-  void fromLibrary(const Instrument& instrument) {
+  void addLibraryWarnings(const Instrument& instrument) {
     const auto found = questionnaires::problemsOf(instrument);
     for (const auto& problem : found.all()) {
-      if (problem.path.ends_with(".relative_to") || isOfATranslation(problem, instrument)) continue;
+      if (problem.path.ends_with(".relative_to") || isAboutTranslation(problem, instrument))
+        continue;
       problems_.warn(instrument.id + " " + problem.path, problem.what, message("template.fix"));
     }
   }
 
   /// Whether the placeholder was reported already for another language.
-  static bool isOfATranslation(
+  static bool isAboutTranslation(
       const questionnaires::Problem& problem, const Instrument& instrument) {
     return std::any_of(
         instrument.languages.begin(), instrument.languages.end(), [&](const auto& language) {

@@ -30,7 +30,7 @@ struct Value {
   using Object = std::vector<Member>;
 
   std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, Array, Object> data;
-  int line = 0;  ///< line of the key, or of a value without a key, from 0
+  int line = 0;  ///< line of the key, from 0; without a key, the line of the value
 };
 
 struct Value::Member {

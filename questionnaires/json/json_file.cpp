@@ -100,7 +100,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
           "write a finite number");
       return false;
     }
-    const std::string near = lastToken.empty() ? "" : ", near '" + ending(lastToken) + "'";
+    const std::string near = lastToken.empty() ? "" : ", near '" + tokenEnd(lastToken) + "'";
     addProblem(
         position,
         where + ": this is not JSON" + near,
@@ -110,7 +110,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  struct Level {
+  struct OpenContainer {
     Value* value;
     std::size_t elements = 0;
     std::unordered_set<std::string> keys{};
@@ -144,7 +144,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   /// The end of a token for a message. Characters that are not printable ASCII are replaced,
   /// because a token may contain any bytes.
-  static std::string ending(const std::string& token) {
+  static std::string tokenEnd(const std::string& token) {
     constexpr std::size_t kShown = 40;
     std::string end = token.substr(token.size() > kShown ? token.size() - kShown : 0);
     std::replace_if(
@@ -224,16 +224,16 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   const char* counted_;  ///< position up to which line ends have been counted
   int line_ = 0;
   Value root_;
-  std::vector<Level> open_;
+  std::vector<OpenContainer> open_;
 };
 
 /// The value at @p path, or its nearest existing ancestor. Keys may contain dots.
-const Value& nearest(const Value& value, std::string_view path) {
+const Value& nearestValue(const Value& value, std::string_view path) {
   const auto next = [&](const Value& part, const std::string& step) -> const Value* {
     if (!path.starts_with(step)) return nullptr;
     const auto rest = path.substr(step.size());
     const bool isWhole = rest.empty() || rest.front() == '.' || rest.front() == '[';
-    return isWhole ? &nearest(part, rest) : nullptr;
+    return isWhole ? &nearestValue(part, rest) : nullptr;
   };
   if (const auto* object = std::get_if<Value::Object>(&value.data)) {
     for (const auto& [key, part] : *object) {
@@ -254,7 +254,7 @@ int lineOf(std::string_view json, std::string_view path) {
   Problems ignored;
   TreeBuilder builder(json, ignored);
   builder.read();
-  return nearest(builder.takeRoot(), path.substr(path.starts_with('$') ? 1 : 0)).line;
+  return nearestValue(builder.takeRoot(), path.substr(path.starts_with('$') ? 1 : 0)).line;
 }
 
 std::optional<Value> parseJson(std::string_view text, Problems& problems) {

@@ -27,7 +27,7 @@ struct Problem {
   std::optional<int> line = {};  ///< line of a JSON syntax error, from 0
 };
 
-/// The largest number of problems that are kept; one more says that there are others.
+/// The largest number of problems that are kept. If there are more, one further problem says so.
 inline constexpr std::size_t kMostProblems = 1000;
 
 /// The problems of a file. Reading collects all of them, so that the author sees them at once.

@@ -18,7 +18,7 @@ namespace {
 
 /// The first bytes from `first` to `last` begin a character of `length` bytes whose second byte is
 /// from secondByteLeast to secondByteMost (table 3-7 of the Unicode standard).
-struct Lead {
+struct LeadByteRange {
   std::uint8_t first;
   std::uint8_t last;
   std::size_t length;
@@ -26,22 +26,22 @@ struct Lead {
   std::uint8_t secondByteMost;
 };
 
-constexpr std::array kLeads{
-    Lead{0x00, 0x7F, 1, 0x80, 0xBF},
-    Lead{0xC2, 0xDF, 2, 0x80, 0xBF},
-    Lead{0xE0, 0xE0, 3, 0xA0, 0xBF},
-    Lead{0xE1, 0xEC, 3, 0x80, 0xBF},
-    Lead{0xED, 0xED, 3, 0x80, 0x9F},
-    Lead{0xEE, 0xEF, 3, 0x80, 0xBF},
-    Lead{0xF0, 0xF0, 4, 0x90, 0xBF},
-    Lead{0xF1, 0xF3, 4, 0x80, 0xBF},
-    Lead{0xF4, 0xF4, 4, 0x80, 0x8F},
+constexpr std::array kLeadByteRanges{
+    LeadByteRange{0x00, 0x7F, 1, 0x80, 0xBF},
+    LeadByteRange{0xC2, 0xDF, 2, 0x80, 0xBF},
+    LeadByteRange{0xE0, 0xE0, 3, 0xA0, 0xBF},
+    LeadByteRange{0xE1, 0xEC, 3, 0x80, 0xBF},
+    LeadByteRange{0xED, 0xED, 3, 0x80, 0x9F},
+    LeadByteRange{0xEE, 0xEF, 3, 0x80, 0xBF},
+    LeadByteRange{0xF0, 0xF0, 4, 0x90, 0xBF},
+    LeadByteRange{0xF1, 0xF3, 4, 0x80, 0xBF},
+    LeadByteRange{0xF4, 0xF4, 4, 0x80, 0x8F},
 };
 
 /// The length of the UTF-8 character at the beginning of @p text [bytes]; 0 if it is not valid.
 std::size_t validUtf8Length(std::string_view text) noexcept {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-  for (const auto& lead : kLeads) {
+  for (const auto& lead : kLeadByteRanges) {
     if (byte(0) < lead.first || byte(0) > lead.last) continue;
     if (text.size() < lead.length) return 0;
     for (std::size_t i = 1; i < lead.length; ++i) {
@@ -150,11 +150,11 @@ std::string shown(std::string_view text) {
   while (end > 0 && end < text.size() && isInsideCharacter(text[end])) --end;
   std::string result(text.substr(0, end));
   const bool isSound = utf8CharacterCount(result).has_value();
-  const auto isOdd = [&](char c) {
+  const auto isUnprintable = [&](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 || byte == 0x7f || (byte > 0x7f && !isSound);
   };
-  std::replace_if(result.begin(), result.end(), isOdd, '?');
+  std::replace_if(result.begin(), result.end(), isUnprintable, '?');
   return end < text.size() ? result + "…" : result;
 }
 

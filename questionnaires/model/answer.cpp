@@ -80,7 +80,7 @@ std::string labelOf(const Item& item, const Response& response, std::string_view
   return optionLabels(item, std::get<std::vector<std::string>>(response), language);
 }
 
-std::int64_t keyed(const Item& item, std::int64_t point) noexcept {
+std::int64_t keyedPoint(const Item& item, std::int64_t point) noexcept {
   return item.key == -1 ? std::int64_t{item.scale.lowest} + item.scale.highest() - point : point;
 }
 
@@ -94,16 +94,17 @@ bool isAsked(const Item& item, const std::vector<Item>& items, const std::vector
     return answer.itemId == asked->id;
   });
   if (last == answers.rend() || !last->response) return false;
-  const auto& wanted = item.showIf.isIn;
-  const auto isWanted = [&](const std::string& id) {
+  const auto& wanted = item.showIf.wantedOptions;
+  const auto isWantedOption = [&](const std::string& id) {
     return std::find(wanted.begin(), wanted.end(), id) != wanted.end();
   };
-  if (const auto* chosen = std::get_if<std::string>(&*last->response)) return isWanted(*chosen);
+  if (const auto* chosen = std::get_if<std::string>(&*last->response))
+    return isWantedOption(*chosen);
   const auto* several = std::get_if<std::vector<std::string>>(&*last->response);
-  return several != nullptr && std::any_of(several->begin(), several->end(), isWanted);
+  return several != nullptr && std::any_of(several->begin(), several->end(), isWantedOption);
 }
 
-std::vector<std::string> unanswered(
+std::vector<std::string> unansweredItems(
     const std::vector<Item>& items, const std::vector<Answer>& answers) {
   const auto isAnswered = [&](const Item& item) {
     return std::any_of(answers.begin(), answers.end(), [&](const Answer& answer) {

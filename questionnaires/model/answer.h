@@ -33,8 +33,9 @@ std::optional<std::string> validationError(
 /// several options are separated by "; ". Empty if there is no label.
 std::string labelOf(const Item& item, const Response& response, std::string_view language);
 
-/// The value that is scored: a reverse-keyed item (key -1) gives low + high - x.
-std::int64_t keyed(const Item& item, std::int64_t point) noexcept;
+/// The scored value of @p point, a point of the item's scale: low + high - point if the key of the
+/// item is -1.
+std::int64_t keyedPoint(const Item& item, std::int64_t point) noexcept;
 
 /// Whether @p item, one of @p items, is asked after @p answers. An item with a condition (ShowIf)
 /// is asked if the item in its condition was itself asked and answered with one of the listed
@@ -44,7 +45,7 @@ bool isAsked(const Item& item, const std::vector<Item>& items, const std::vector
 /// The ids of required items among @p items that are asked but have no answer in @p answers, or an
 /// empty one (a blank text, or no option selected). An item that allows "none" must offer it as an
 /// option.
-std::vector<std::string> unanswered(
+std::vector<std::string> unansweredItems(
     const std::vector<Item>& items, const std::vector<Answer>& answers);
 
 /// The answer to @p item as a number, before reversal; the last one if there are several.

@@ -53,7 +53,7 @@ const Score* Instrument::score(std::string_view scoreId) const noexcept {
   return found == scores.end() ? nullptr : &*found;
 }
 
-bool Instrument::isWithheld() const noexcept {
+bool Instrument::hasWithheldTexts() const noexcept {
   return std::any_of(
       items.begin(), items.end(), [](const Item& item) { return !item.withheld.empty(); });
 }

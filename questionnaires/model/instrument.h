@@ -125,7 +125,7 @@ enum class OptionSource {
   Alternatives,  ///< the alternatives that the participant has felt in a block
 };
 
-/// With what a statement compares an alternative.
+/// The thing with which a statement compares an alternative.
 enum class Reference {
   None,
   Previous,  ///< with the alternative felt before ("than the previous cut")
@@ -155,8 +155,8 @@ enum class WordingField { Text, LowLabel, HighLabel, LeftLabel, RightLabel };
 /// The condition of an item: it is asked only after certain answers to an earlier item.
 struct ShowIf {
   std::string item;  ///< id of an earlier choice item; empty if the item is always asked
-  std::vector<std::string> isIn;  ///< ids of options of that item; one of them must have been
-                                  ///< chosen
+  std::vector<std::string> wantedOptions;  ///< ids of options of that item; one of them must have
+                                           ///< been chosen
 
   bool isSet() const noexcept { return !item.empty(); }
 };
@@ -278,7 +278,7 @@ struct Instrument {
   std::vector<Item> itemsOf(std::string_view set) const;
   const Score* score(std::string_view id) const noexcept;
   /// Whether some of its texts must come from a wording file (questionnaires/reading/wording.h).
-  bool isWithheld() const noexcept;
+  bool hasWithheldTexts() const noexcept;
 };
 
 /// The problems of @p instrument as a whole: duplicate ids, scores of items that do not exist,

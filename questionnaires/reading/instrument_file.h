@@ -31,7 +31,7 @@ class BlankFiller {
   void fill(Instrument& instrument);
 
   /// The keys of all blanks that fill() has found, filled in or not, without duplicates, in the
-  /// order of finding.
+  /// order in which they were found.
   const std::vector<std::string>& keys() const noexcept { return keys_; }
 
  private:

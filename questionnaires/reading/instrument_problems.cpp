@@ -27,7 +27,7 @@ void inspectHead(const Instrument& instrument, const TextCheck& texts, Problems&
     problems.add(
         "$.items", "nothing is asked and nothing is said", "add items, or an introduction");
   }
-  if (instrument.isWithheld() && instrument.source.wordingFrom.empty()) {
+  if (instrument.hasWithheldTexts() && instrument.source.wordingFrom.empty()) {
     problems.add(
         "$.source.wording_from",
         "nobody learns where the words are that do not ship",
@@ -55,15 +55,15 @@ void inspectCondition(
   if (item.isIdentifying || !item.consentOption.empty()) {
     problems.add(place, "consent and names are always asked for", "remove 'show_if'");
   }
-  for (std::size_t i = 0; i < item.showIf.isIn.size(); ++i) {
+  for (std::size_t i = 0; i < item.showIf.wantedOptions.size(); ++i) {
     const auto& options = other->options;
     const bool isThere = std::any_of(options.begin(), options.end(), [&](const Option& option) {
-      return option.id == item.showIf.isIn[i];
+      return option.id == item.showIf.wantedOptions[i];
     });
     if (isThere) continue;
     problems.add(
         place + ".is[" + std::to_string(i) + "]",
-        "'" + shown(item.showIf.isIn[i]) + "' is no option of '" + other->id + "'",
+        "'" + shown(item.showIf.wantedOptions[i]) + "' is no option of '" + other->id + "'",
         "write the id of one of its options");
   }
 }

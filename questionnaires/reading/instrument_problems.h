@@ -62,7 +62,7 @@ class TextCheck {
   /// instrument.
   void inspect(const std::string& path, const LocalizedText& text) const;
 
-  /// Checks a text for researchers only: reports it if it lacks English.
+  /// Reports a text that only researchers read if it is missing in English.
   void inspectResearcherText(const std::string& path, const LocalizedText& text) const;
 
  private:

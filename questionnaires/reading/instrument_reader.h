@@ -64,7 +64,7 @@ class ItemReader {
  private:
   void readCommonKeys(const Node& node, Item& item) const;
   /// Reads the keys of the item's type that readCommonKeys() does not read.
-  void readKind(const Node& node, Item& item) const;
+  void readKeysOfType(const Node& node, Item& item) const;
   /// Reads the item's scale; without one, copies the instrument's.
   void readScaleOf(const Node& node, Item& item) const;
   /// Reads the labels of the low and the high end.

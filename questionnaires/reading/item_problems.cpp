@@ -21,7 +21,7 @@ class ItemInspection {
         texts_(instrument.languages, problems) {}
 
   void inspectHead() const;
-  void inspectKind() const;
+  void inspectKeysOfType() const;
   void inspectThreshold() const;
 
  private:
@@ -80,7 +80,7 @@ void ItemInspection::inspectThreshold() const {
       "write a number above " + shown(range->low) + ", up to " + shown(range->high));
 }
 
-void ItemInspection::inspectKind() const {
+void ItemInspection::inspectKeysOfType() const {
   switch (item_.type) {
     case ItemType::Likert:
       return inspectOwnScale();
@@ -239,7 +239,7 @@ void inspectItem(
     const Instrument& instrument, const Item& item, const std::string& path, Problems& problems) {
   const ItemInspection inspection(instrument, item, path, problems);
   inspection.inspectHead();
-  inspection.inspectKind();
+  inspection.inspectKeysOfType();
   inspection.inspectThreshold();
 }
 

@@ -173,16 +173,16 @@ bool hasOnlyKnownKeys(const Node& node) {
 
 constexpr double kLargestBound = 1e9;
 
-double bound(const Node& node, std::string_view key, std::optional<double> usual) {
+double readBound(const Node& node, std::string_view key, std::optional<double> fallback) {
   if (node.has(key)) return node.number(key, -kLargestBound, kLargestBound, kUnreadNumber);
-  if (!usual) node.problem("", "'" + std::string(key) + "' is missing", "add it");
-  return usual.value_or(kUnreadNumber);
+  if (!fallback) node.problem("", "'" + std::string(key) + "' is missing", "add it");
+  return fallback.value_or(kUnreadNumber);
 }
 
 void readRange(const Node& node, Item& item) {
   const bool isSlider = item.type == ItemType::Slider;
-  item.least = bound(node, "least", isSlider ? std::optional(0.0) : std::nullopt);
-  item.most = bound(node, "most", isSlider ? std::optional(100.0) : std::nullopt);
+  item.least = readBound(node, "least", isSlider ? std::optional(0.0) : std::nullopt);
+  item.most = readBound(node, "most", isSlider ? std::optional(100.0) : std::nullopt);
   item.step = node.has("step") ? node.number("step", 0.0, kLargestBound, kUnreadNumber) : 1.0;
   if (std::isnan(item.least + item.most + item.step)) {
     item.least = 0.0;
@@ -196,7 +196,8 @@ ShowIf readShowIf(const Node& node) {
   ShowIf showIf;
   if (!node.isObjectWithOnlyKeys({"item", "is"})) return showIf;
   showIf.item = node.id("item");
-  for (const auto& option : node.requiredList("is")) showIf.isIn.push_back(option.asText());
+  for (const auto& option : node.requiredList("is"))
+    showIf.wantedOptions.push_back(option.asText());
   return showIf;
 }
 
@@ -212,8 +213,8 @@ void readWithheld(const Node& node, Item& item) {
 }
 
 void readLength(const Node& node, Item& item) {
-  const auto usual = item.type == ItemType::ShortText ? kLongestShortText : kLongestLongText;
-  item.longestAnswer = node.wholeNumber("longest_answer", 1, kLongestLongText, usual);
+  const auto fallback = item.type == ItemType::ShortText ? kLongestShortText : kLongestLongText;
+  item.longestAnswer = node.wholeNumber("longest_answer", 1, kLongestLongText, fallback);
 }
 
 }  // namespace
@@ -233,7 +234,7 @@ Item ItemReader::read(const Node& node, std::size_t index) const {
     if (node.has("wording") && has(keysOf(item.type), "wording")) readWithheld(node, item);
   }
   readCommonKeys(node, item);
-  if (type) readKind(node, item);
+  if (type) readKeysOfType(node, item);
   return item;
 }
 
@@ -268,7 +269,7 @@ LocalizedText ItemReader::readText(const Node& node, std::string_view key, bool 
   return {};
 }
 
-void ItemReader::readKind(const Node& node, Item& item) const {
+void ItemReader::readKeysOfType(const Node& node, Item& item) const {
   switch (item.type) {
     case ItemType::Likert:
       return readScaleOf(node, item);

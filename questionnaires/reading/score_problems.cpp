@@ -53,7 +53,7 @@ void inspectScoredItems(
   }
 }
 
-void inspectHowManyAnswers(const Score& score, const std::string& path, Problems& problems) {
+void inspectAnswerCount(const Score& score, const std::string& path, Problems& problems) {
   if (score.items.empty()) {
     return problems.add(path + ".items", "this score counts no items", "name at least one");
   }
@@ -176,7 +176,7 @@ void inspectScore(
   const TextCheck texts(instrument.languages, problems);
   texts.inspectResearcherText(path + ".title", score.title);
   inspectScoredItems(instrument, score, path, problems);
-  inspectHowManyAnswers(score, path, problems);
+  inspectAnswerCount(score, path, problems);
   inspectMissingAs(instrument, score, path, problems);
   inspectWeights(score, path, problems);
   if (!score.items.empty()) inspectPairs(instrument, score, path, problems);

@@ -8,9 +8,9 @@ namespace questionnaires {
 namespace {
 
 /// Collects the texts of one instrument.
-class Places {
+class TextPlaceCollector {
  public:
-  explicit Places(Instrument& instrument) : instrument_(instrument) {}
+  explicit TextPlaceCollector(Instrument& instrument) : instrument_(instrument) {}
 
   std::vector<TextPlace> all() {
     add("title", {&instrument_.title}, false);
@@ -92,7 +92,7 @@ class Places {
 }  // namespace
 
 std::vector<TextPlace> textPlacesOf(Instrument& instrument) {
-  return Places(instrument).all();
+  return TextPlaceCollector(instrument).all();
 }
 
 bool isBlank(const std::string& text) {

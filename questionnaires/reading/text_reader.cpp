@@ -8,12 +8,12 @@ namespace {
 
 constexpr std::string_view kPlaceholderText = "-";
 
-bool isSmall(char c) noexcept {
+bool isLowerCase(char c) noexcept {
   return c >= 'a' && c <= 'z';
 }
 
 bool isLetterOrDigit(char c) noexcept {
-  return isSmall(c) || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  return isLowerCase(c) || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
 std::string textOf(const Node& node) {
@@ -71,7 +71,7 @@ LocalizedText TextReader::fallbackText() const {
 bool isLanguageTag(std::string_view tag) noexcept {
   const std::string_view language = tag.substr(0, tag.find('-'));
   const bool isLanguage = language.size() >= 2 && language.size() <= 3 &&
-                          std::all_of(language.begin(), language.end(), isSmall);
+                          std::all_of(language.begin(), language.end(), isLowerCase);
   if (!isLanguage) return false;
   tag.remove_prefix(language.size());
   if (tag.empty()) return true;

@@ -61,7 +61,7 @@ void inspectTexts(const Wording& wording, const Instrument& instrument, Problems
 }
 
 /// Removes @p language and all texts in it from @p instrument.
-void forget(const std::string& language, Instrument& instrument) {
+void removeLanguage(const std::string& language, Instrument& instrument) {
   for (const auto& place : textPlacesOf(instrument)) {
     for (auto* text : place.texts) {
       auto texts = text->all();
@@ -105,7 +105,7 @@ bool addWording(
         "these words are in '" + shown(wording->language) + "'",
         "name the file after its language");
   } else if (wording) {
-    apply(*wording, instrument, inFile);
+    applyWording(*wording, instrument, inFile);
   }
   for (auto problem : inFile.all()) {
     problem.path = file + " " + problem.path;
@@ -130,7 +130,7 @@ std::vector<std::string> missingTexts(const Instrument& instrument, const std::s
   return missing;
 }
 
-void apply(const Wording& wording, Instrument& instrument, Problems& problems) {
+void applyWording(const Wording& wording, Instrument& instrument, Problems& problems) {
   Problems found;
   inspectHead(wording, instrument, found);
   inspectTexts(wording, instrument, found);
@@ -151,12 +151,12 @@ void apply(const Wording& wording, Instrument& instrument, Problems& problems) {
 
 void completeWording(
     Instrument& instrument,
-    const std::vector<std::string>& alsoIn,
+    const std::vector<std::string>& additionalLanguages,
     const WordingFinder& find,
     const std::string& path,
     Problems& problems) {
   std::vector<std::string> languages = instrument.languages;
-  for (const auto& language : alsoIn) {
+  for (const auto& language : additionalLanguages) {
     if (!isAmong(languages, language)) languages.push_back(language);
   }
   for (const auto& language : languages) {
@@ -165,7 +165,7 @@ void completeWording(
     if (language == "en") {
       reportMissingWording(instrument, language, path, problems);
     } else if (isAmong(instrument.languages, language)) {
-      forget(language, instrument);
+      removeLanguage(language, instrument);
     }
   }
 }

@@ -43,13 +43,13 @@ std::vector<std::string> missingTexts(const Instrument& instrument, const std::s
 
 /// Adds the texts and the language of @p wording to @p instrument, if @p wording has exactly the
 /// missing texts. Otherwise adds problems and changes nothing.
-void apply(const Wording& wording, Instrument& instrument, Problems& problems);
+void applyWording(const Wording& wording, Instrument& instrument, Problems& problems);
 
 /// Returns the text of the wording file called @p name; std::nullopt if it does not exist.
 using WordingFinder = std::function<std::optional<std::string>(const std::string& name)>;
 
-/// Searches for wording files of @p instrument in English, in its languages and in @p alsoIn, and
-/// adds their texts.
+/// Searches for wording files of @p instrument in English, in its languages and in @p
+/// additionalLanguages, and adds their texts.
 ///
 /// English must be complete, because it is shown in place of missing texts. A language of the
 /// instrument whose withheld texts are not found is removed. A wording file with errors is a
@@ -57,7 +57,7 @@ using WordingFinder = std::function<std::optional<std::string>(const std::string
 /// files are at @p path, the place that refers to the instrument.
 void completeWording(
     Instrument& instrument,
-    const std::vector<std::string>& alsoIn,
+    const std::vector<std::string>& additionalLanguages,
     const WordingFinder& find,
     const std::string& path,
     Problems& problems);

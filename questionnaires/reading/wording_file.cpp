@@ -26,7 +26,7 @@ void readKeys(const Node& root, Wording& wording) {
 }
 
 /// The publication in which the texts can be found, from the instrument's source.
-std::string whereFrom(const Source& source) {
+std::string publicationOf(const Source& source) {
   std::string words = source.citation;
   if (!source.doi.empty()) words += " https://doi.org/" + source.doi;
   return source.wordingFrom.empty() ? words : words + " | " + source.wordingFrom;
@@ -70,7 +70,7 @@ std::string wordingTemplate(const Instrument& instrument, const std::string& lan
   file["instrument"] = instrument.id;
   file["version"] = instrument.version;
   file["language"] = language;
-  file["words_from"] = whereFrom(instrument.source);
+  file["words_from"] = publicationOf(instrument.source);
   file["source"] = "";
   file["keys"] = nlohmann::ordered_json::object();
   for (const auto& item : instrument.items) {

@@ -15,7 +15,7 @@ struct WeightedAnswer {
 };
 
 /// The id of the option that was chosen in the pairwise choice @p id; std::nullopt if none was.
-std::optional<std::string> chosenIn(
+std::optional<std::string> chosenOption(
     const Instrument& instrument, const std::string& id, const std::vector<Answer>& answers) {
   const Item* pair = instrument.item(id);
   if (pair == nullptr || pair->type != ItemType::PairwiseChoice) return std::nullopt;
@@ -34,8 +34,9 @@ std::size_t requiredAnswerCount(const Score& score) {
   return mayMiss && hasMinimum ? score.leastAnswered : score.items.size();
 }
 
-/// The answered (or replaced) items of the score; @p weights is empty if every weight is 1.
-std::vector<WeightedAnswer> countedItems(
+/// The answers to the items of the score, and the values that replace missing answers.
+/// @param weights  weights of the items; empty if every weight is 1
+std::vector<WeightedAnswer> countedAnswers(
     const Instrument& instrument,
     const Score& score,
     const std::vector<double>& weights,
@@ -50,7 +51,7 @@ std::vector<WeightedAnswer> countedItems(
       ++result.answered;
     } else if (score.missingAs) {
       number = score.missingAs;
-      ++result.replaced;
+      ++result.replacedItems;
     }
     if (!number) continue;
     const double x = score.reverseByKey ? keyedNumber(*item, *number) : *number;
@@ -91,7 +92,7 @@ std::optional<std::vector<double>> pairWeights(
   if (score.weightsFrom.empty()) return std::nullopt;
   std::vector<double> weights(score.items.size(), 0.0);
   for (const auto& id : score.weightsFrom) {
-    const auto chosen = chosenIn(instrument, id, answers);
+    const auto chosen = chosenOption(instrument, id, answers);
     if (!chosen) return std::nullopt;
     const auto item = std::find(score.items.begin(), score.items.end(), *chosen);
     if (item == score.items.end()) return std::nullopt;
@@ -112,7 +113,7 @@ ScoreResult computeScore(
     }
     weights = *chosen;
   }
-  const auto counted = countedItems(instrument, score, weights, answers, result);
+  const auto counted = countedAnswers(instrument, score, weights, answers, result);
   if (counted.empty() || result.answered < requiredAnswerCount(score)) {
     result.reason = reasonFor(result, score);
     return result;
@@ -154,7 +155,7 @@ Range rangeOf(const Instrument& instrument, const Score& score) {
   return {std::min(first, last), std::max(first, last)};
 }
 
-std::optional<double> scored(
+std::optional<double> scoreValue(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers) {
   return computeScore(instrument, score, answers).value;
 }
@@ -210,7 +211,7 @@ namespace {
 
 /// The range (largest minus smallest) of keyed answers to the items of @p score; 0 for fewer than
 /// two.
-double rangeWithin(
+double rangeOfAnswers(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers) {
   std::vector<double> given;
   for (const auto& id : score.items) {
@@ -233,13 +234,13 @@ std::optional<Consistency> consistencyOf(
   for (const auto& id : rule.scores) {
     const Score* score = instrument.score(id);
     if (score == nullptr) continue;
-    if (rangeWithin(instrument, *score, answers) > rule.widestRange) {
-      result.contradictory.push_back(id);
+    if (rangeOfAnswers(instrument, *score, answers) > rule.widestRange) {
+      result.contradictoryScores.push_back(id);
     }
   }
-  result.isSuspicious = result.contradictory.size() >= rule.suspiciousFrom;
+  result.isSuspicious = result.contradictoryScores.size() >= rule.suspiciousFrom;
   if (!result.isSuspicious) return result;
-  result.warning = "in " + std::to_string(result.contradictory.size()) + " of " +
+  result.warning = "in " + std::to_string(result.contradictoryScores.size()) + " of " +
                    std::to_string(rule.scores.size()) + " scales the answers lie more than " +
                    shown(rule.widestRange) +
                    " apart: they may not have been meant; look at them before you count them";

@@ -14,7 +14,7 @@ struct ScoreResult {
   std::optional<double> value;
   std::string reason;        ///< why there is no value, as a sentence; empty if there is a value
   std::size_t answered = 0;  ///< number of answered items of the score
-  std::size_t replaced = 0;  ///< number of unanswered items whose answer is Score::missingAs
+  std::size_t replacedItems = 0;  ///< number of unanswered items whose answer is Score::missingAs
 };
 
 /// The value of @p score for @p answers: (aggregate of the keyed answers + offset) · factor, with
@@ -38,8 +38,8 @@ ScoreResult computeScore(
 /// weights.
 Range rangeOf(const Instrument& instrument, const Score& score);
 
-/// The value of computeScore().
-std::optional<double> scored(
+/// The value of @p score for @p answers, as in ScoreResult::value.
+std::optional<double> scoreValue(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
 
 /// How often each item of @p score was chosen in the pairs of Score::weightsFrom, in the order of
@@ -83,8 +83,8 @@ std::vector<Acceptability> acceptabilityOf(
 
 /// Whether one person's answers contradict each other, by the ConsistencyRule of the instrument.
 struct Consistency {
-  std::vector<std::string> contradictory;  ///< ids of scores with contradictory answers to their
-                                           ///< items
+  std::vector<std::string> contradictoryScores;  ///< ids of scores with contradictory answers to
+                                                 ///< their items
   bool isSuspicious = false;  ///< whether at least ConsistencyRule::suspiciousFrom scores are
                               ///< contradictory
   std::string warning;        ///< a sentence; empty if the answers are not suspicious

@@ -69,7 +69,7 @@ int list(const InstrumentArguments& /*options*/) {
         instrument.items.size(),
         languages,
         instrument.title.in("en"),
-        instrument.isWithheld() ? " (its words come from a wording file)" : "");
+        instrument.hasWithheldTexts() ? " (its words come from a wording file)" : "");
   }
   return 0;
 }

@@ -27,7 +27,7 @@ std::optional<int> keyOf(const ExportedAnswer& row) {
 std::optional<std::int64_t> keyedResponseOf(const ExportedAnswer& row) {
   const auto* point = std::get_if<std::int64_t>(&row.record->answer.response);
   if (row.item == nullptr || point == nullptr) return std::nullopt;
-  return questionnaires::keyed(*row.item, *point);
+  return questionnaires::keyedPoint(*row.item, *point);
 }
 
 Cell givenResponse(const ExportedAnswer& row) {
@@ -319,7 +319,8 @@ std::vector<ExportedForms> wideRows(
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const auto* instrument : askedInBlocks(loaded)) {
       for (const auto& score : instrument->scores) {
-        const auto result = questionnaires::scored(*instrument, score, given[i][instrument->id]);
+        const auto result =
+            questionnaires::scoreValue(*instrument, score, given[i][instrument->id]);
         if (result) rows[i].cells[names.ofScore(instrument->id, score.id)] = *result;
       }
     }

@@ -44,7 +44,7 @@ void addTrials(
     step.isVisualised = false;
     for (const auto& asked : phase.trials.questionnaires) {
       step.instrument = asked.instrument;
-      step.itemSet = asked.setFor(trial.condition);
+      step.itemSet = asked.itemSetFor(trial.condition);
       steps.push_back(step);
     }
   }

@@ -122,7 +122,7 @@ analysis::AnswerTable answerTable(
   if (const auto* score = layout.score()) {
     for (const auto& form : formsOf(answers)) {
       const auto value =
-          questionnaires::scored(*loaded.instrument(family.instrument), *score, form.answers);
+          questionnaires::scoreValue(*loaded.instrument(family.instrument), *score, form.answers);
       if (value) add(form.first, score->id, *value);
     }
     return table;
@@ -146,7 +146,7 @@ std::vector<std::size_t> completeAnswerCounts(
     if (questionnaire == nullptr) continue;
     for (std::size_t i = 0; i < expected.size(); ++i) {
       if (!placeOf(phase.trials.conditions, table.methods[i])) continue;
-      const auto items = instrument.itemsOf(questionnaire->setFor(table.methods[i]));
+      const auto items = instrument.itemsOf(questionnaire->itemSetFor(table.methods[i]));
       expected[i] +=
           family.score.empty() ? protocols::comparedItems(family, items).size() : std::size_t{1};
     }

@@ -30,7 +30,7 @@ std::string balanceInWords(
     }
     for (std::size_t i = 0; i < balance.conditions.size(); ++i) {
       words += fmt::format("  {:<20} at position:", balance.conditions[i]);
-      for (const int count : balance.atPosition[i]) words += fmt::format(" {:>3}", count);
+      for (const int count : balance.positionCounts[i]) words += fmt::format(" {:>3}", count);
       words += "   right after:";
       for (std::size_t j = 0; j < balance.conditions.size(); ++j) {
         if (j != i) words += fmt::format(" {} {}", balance.conditions[j], balance.after[i][j]);

@@ -75,7 +75,7 @@ std::size_t answersTo(
     if (!isAsked) continue;
     for (const auto& asked : phase.trials.questionnaires) {
       if (asked.instrument != family.instrument) continue;
-      const auto items = instrument.itemsOf(asked.setFor(condition));
+      const auto items = instrument.itemsOf(asked.itemSetFor(condition));
       answers +=
           family.score.empty() ? protocols::comparedItems(family, items).size() : std::size_t{1};
     }

@@ -138,8 +138,8 @@ std::string siteVerdict(const StudyPlan& plan, const Detectability& detectabilit
       "{}.{}\n",
       share(at.found->pooled.rate),
       share(at.found->pairedT.rate),
-      at.found->halfWidth
-          ? fmt::format(" Pooled interval: ± {:.2f} points (median).", *at.found->halfWidth)
+      at.found->medianHalfWidth
+          ? fmt::format(" Pooled interval: ± {:.2f} points (median).", *at.found->medianHalfWidth)
           : std::string());
   text += fmt::format(
       "    simulated without any difference over all sites, at least one is found: pooled {}, "

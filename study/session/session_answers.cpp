@@ -54,7 +54,7 @@ bool Session::isAsked(const questionnaires::Item& item) const {
 
 std::vector<std::string> Session::missing() const {
   const auto asked = items();
-  auto missing = questionnaires::unanswered(asked, responses(answers()));
+  auto missing = questionnaires::unansweredItems(asked, responses(answers()));
   std::erase_if(missing, [&](const std::string& id) {
     const auto item =
         std::find_if(asked.begin(), asked.end(), [&](const auto& i) { return i.id == id; });

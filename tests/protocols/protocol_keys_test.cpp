@@ -210,8 +210,8 @@ TEST(ProtocolKeys, DescribeABlock) {
   EXPECT_EQ(first.order.type, OrderType::Complete);
   EXPECT_EQ(first.minimumCuts, 5);
   ASSERT_EQ(first.questionnaires.size(), 2U);
-  EXPECT_EQ(first.questionnaires[0].setFor("elastic"), "2");
-  EXPECT_EQ(first.questionnaires[0].setFor("fused"), "");
+  EXPECT_EQ(first.questionnaires[0].itemSetFor("elastic"), "2");
+  EXPECT_EQ(first.questionnaires[0].itemSetFor("fused"), "");
   EXPECT_EQ(first.questionnaires[1].instrument, "comfort");
   const auto& second = protocol.phase("second")->trials;
   EXPECT_FALSE(second.isVisualised.has_value());

@@ -37,7 +37,7 @@ std::optional<double> scoreOf(
     ADD_FAILURE() << instrument.id << " has no score " << id;
     return std::nullopt;
   }
-  return scored(instrument, *score, answers);
+  return scoreValue(instrument, *score, answers);
 }
 
 /// The numbers, counted from 1, of the items of a score; those of the shipped instruments stand in
@@ -160,7 +160,7 @@ TEST(Sus, CountsAMissingAnswerAsTheMiddle) {
     const auto result = computeScore(kSus, *kSus.score("sus"), answers);
     EXPECT_EQ(result.value, 95.0) << missing;
     EXPECT_EQ(result.answered, 9U);
-    EXPECT_EQ(result.replaced, 1U);
+    EXPECT_EQ(result.replacedItems, 1U);
   }
 }
 
@@ -200,8 +200,9 @@ TEST(Ueq, IsThreeWhereThePositiveWordIsChosenThroughout) {
   for (const int number : reversedOf(kUeq)) {
     answers[static_cast<std::size_t>(number) - 1].response = std::int64_t{1};
   }
-  for (const auto& score : kUeq.scores) EXPECT_EQ(scored(kUeq, score, answers), 3.0) << score.id;
-  for (const auto& score : kUeq.scores) EXPECT_EQ(scored(kUeq, score, all(kUeq, 4)), 0.0);
+  for (const auto& score : kUeq.scores)
+    EXPECT_EQ(scoreValue(kUeq, score, answers), 3.0) << score.id;
+  for (const auto& score : kUeq.scores) EXPECT_EQ(scoreValue(kUeq, score, all(kUeq, 4)), 0.0);
 }
 
 TEST(Ueq, WarnsIfEveryAnswerIsTheSamePoint) {
@@ -209,7 +210,7 @@ TEST(Ueq, WarnsIfEveryAnswerIsTheSamePoint) {
   const auto finding = consistencyOf(kUeq, all(kUeq, 7));
   ASSERT_TRUE(finding.has_value());
   EXPECT_TRUE(finding->isSuspicious);
-  EXPECT_EQ(finding->contradictory.size(), 6U);
+  EXPECT_EQ(finding->contradictoryScores.size(), 6U);
   EXPECT_NE(finding->warning.find("in 6 of 6 scales"), std::string::npos);
 }
 
@@ -221,7 +222,7 @@ TEST(Ueq, AcceptsContradictionsInTwoScales) {
   answers[3].response = std::int64_t{5};
   EXPECT_FALSE(consistencyOf(kUeq, answers)->isSuspicious);
   answers[19].response = std::int64_t{7};  // efficiency: 7 and 4, 3 apart: not above 3
-  EXPECT_EQ(consistencyOf(kUeq, answers)->contradictory.size(), 2U);
+  EXPECT_EQ(consistencyOf(kUeq, answers)->contradictoryScores.size(), 2U);
   answers[21].response = std::int64_t{3};  // efficiency: 7 and 3
   EXPECT_TRUE(consistencyOf(kUeq, answers)->isSuspicious);
 }

@@ -45,13 +45,13 @@ Json asJson(const analysis::PublishedTable& table, const analysis::ConventionChe
 Json asJson(const analysis::ConsistentSizes& fits) {
   Json json{
       {"convention", asJson(fits.convention)},
-      {"tried", fits.tried},
+      {"tried", fits.triedCombinations},
       {"fitting", fits.fitting},
       {"equal_n", fits.equalSizes()},
-      {"possible_n", fits.possible}};
+      {"possible_n", fits.possibleSizes}};
   const auto fewest = fits.largestFittingSizes();
   json["fewest_missing"] = fewest ? Json(*fewest) : Json(nullptr);
-  json["example"] = fits.example.empty() ? Json(nullptr) : Json(fits.example);
+  json["example"] = fits.exampleAnswers.empty() ? Json(nullptr) : Json(fits.exampleAnswers);
   return json;
 }
 

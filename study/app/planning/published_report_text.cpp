@@ -65,7 +65,7 @@ std::string comparisonTable(const PublishedTable& table, const ConventionCheck& 
         shortP(row.attainable.low) + " … " + shortP(row.attainable.high),
         verdict(row, p.bounds(check.convention.rounding)));
   }
-  if (check.allAttainable()) {
+  if (check.areAllAttainable()) {
     text += check.row ? "  One mean and one variance for each group give all p at once.\n"
                       : "  Each p may be for itself; no means and variances were found that give "
                         "all of them at once.\n";
@@ -106,13 +106,13 @@ std::string equalPart(const PublishedReport& report) {
 }
 
 std::string describeFits(const PublishedTable& table, const analysis::ConsistentSizes& fits) {
-  if (fits.tried == 1) return fits.fitting.empty() ? "no answers fit" : "answers fit";
-  if (fits.fitting.empty()) return fmt::format("none of {} fits", fits.tried);
+  if (fits.triedCombinations == 1) return fits.fitting.empty() ? "no answers fit" : "answers fit";
+  if (fits.fitting.empty()) return fmt::format("none of {} fits", fits.triedCombinations);
   const auto equal = fits.equalSizes();
   return fmt::format(
       "{} of {} fit, {}; fewest missing: {}",
       fits.fitting.size(),
-      fits.tried,
+      fits.triedCombinations,
       equal.empty() ? "none with equal sizes" : "equal sizes " + asRanges(equal),
       namesAndSizes(table, *fits.largestFittingSizes()));
 }
@@ -136,21 +136,21 @@ std::string formatAnswers(
 std::string describeExample(const PublishedReport& report) {
   const auto& all = report.consistentSizes;
   const auto found =
-      std::ranges::find_if(all, [](const auto& fits) { return !fits.example.empty(); });
+      std::ranges::find_if(all, [](const auto& fits) { return !fits.exampleAnswers.empty(); });
   if (found == all.end()) {
     return fmt::format(
         "  PROVED: no answers on this scale print the row, at any of {} combinations of sizes and "
         "by any of {} conventions:\n  every sum and sum of squares of answers was tried.\n",
-        all.front().tried,
+        all.front().triedCombinations,
         all.size());
   }
   std::string text = fmt::format(
       "  One data set that prints the row ({}):\n", analysis::describe(found->convention));
-  for (std::size_t g = 0; g < found->example.size(); ++g) {
+  for (std::size_t g = 0; g < found->exampleAnswers.size(); ++g) {
     text += fmt::format(
         "    {}: {}\n",
         report.table.groups[g].name,
-        formatAnswers(*report.tableOptions.scale, found->example[g]));
+        formatAnswers(*report.tableOptions.scale, found->exampleAnswers[g]));
   }
   return text;
 }
@@ -167,7 +167,7 @@ std::string consistentSizesPart(const PublishedReport& report) {
     text += fmt::format(
         "  mean and variance of {} alone: {}\n",
         report.table.groups[g].name,
-        usual.possible[g].empty() ? "no size" : "n = " + asRanges(usual.possible[g]));
+        usual.possibleSizes[g].empty() ? "no size" : "n = " + asRanges(usual.possibleSizes[g]));
   }
   for (const auto& fits : report.consistentSizes) {
     text += fmt::format(

@@ -42,7 +42,7 @@ Json asJson(const std::optional<analysis::SimulatedSitePower>& found) {
       {"any_pooled", asJson(found->anyPooled)},
       {"paired_t", asJson(found->pairedT)},
       {"any_paired_t", asJson(found->anyPairedT)},
-      {"median_half_width", orNull(found->halfWidth)}};
+      {"median_half_width", orNull(found->medianHalfWidth)}};
 }
 
 Json asJson(const std::optional<SiteDetectability>& sites) {

@@ -23,8 +23,8 @@ std::string bundleKeyOf(const storage::BlindingSecret& secret);
 
 /// The header of a bundle, and its size.
 struct BundleHeader {
-  std::string study;    ///< uuid
-  std::string station;  ///< uuid
+  std::string study;       ///< uuid
+  std::string station;     ///< uuid
   std::int64_t first = 0;  ///< number of the first event in the bundle
   std::int64_t last = 0;   ///< number of the last event in the bundle
   std::uint64_t bytes = 0;

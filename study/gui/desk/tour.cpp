@@ -227,7 +227,7 @@ QWidget* Tour::makeQuestions() {
   auto* page = new QuestionnairePage(
       {.title = tr("Alternative 1"),
        .introduction = QString::fromStdString(instrument->introduction.in(deskLanguage())),
-       .items = instrument->itemsOf(asked.setFor(block->trials.conditions.front())),
+       .items = instrument->itemsOf(asked.itemSetFor(block->trials.conditions.front())),
        .choices = {},
        .language = QString::fromStdString(deskLanguage()),
        .before = {}},

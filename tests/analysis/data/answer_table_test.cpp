@@ -44,17 +44,17 @@ TEST(AnswerTable, LeavesOutParticipantsWhoLackAMethod) {
 }
 
 TEST(AnswerTable, KnowsTheLowestAnswerAboveTheMiddle) {
-  const auto aboveMiddle = [](int lowest, int highest) {
+  const auto lowestPointAboveMiddle = [](int lowest, int highest) {
     analysis::AnswerTable table;
     table.lowest = lowest;
     table.highest = highest;
-    return table.aboveMiddle();
+    return table.lowestPointAboveMiddle();
   };
-  EXPECT_EQ(aboveMiddle(1, 5), 4);
-  EXPECT_EQ(aboveMiddle(1, 4), 3);
-  EXPECT_EQ(aboveMiddle(0, 20), 11);
-  EXPECT_EQ(aboveMiddle(-3, 3), 1);
-  EXPECT_EQ(aboveMiddle(-4, -1), -2);
+  EXPECT_EQ(lowestPointAboveMiddle(1, 5), 4);
+  EXPECT_EQ(lowestPointAboveMiddle(1, 4), 3);
+  EXPECT_EQ(lowestPointAboveMiddle(0, 20), 11);
+  EXPECT_EQ(lowestPointAboveMiddle(-3, 3), 1);
+  EXPECT_EQ(lowestPointAboveMiddle(-4, -1), -2);
 }
 
 }  // namespace answer_table_test

@@ -156,7 +156,7 @@ TEST(CochranQTest, IsFriedmansTestOfZerosAndOnes) {
   const auto friedman = analysis::friedmanTest(blocks);
   EXPECT_DOUBLE_EQ(result.q.value(), friedman.chiSquared.value());
   EXPECT_DOUBLE_EQ(result.exactP.value(), friedman.exactP.value());
-  EXPECT_EQ(result.undecided, 7U);
+  EXPECT_EQ(result.unvaryingPersons, 7U);
   EXPECT_EQ(result.degreesOfFreedom, 2.0);
 }
 

@@ -116,7 +116,7 @@ TEST(SitePower, ComparesAndPoolsAsTheStatisticsOfAStudyDo) {
   ASSERT_TRUE(row.pooled.has_value());
   const auto& interval = row.pooled->knappHartung.interval;
   const auto found = simulateSitePower(simulation, plan);
-  EXPECT_NEAR(found.halfWidth.value(), 0.5 * (interval.high - interval.low), 1e-5);
+  EXPECT_NEAR(found.medianHalfWidth.value(), 0.5 * (interval.high - interval.low), 1e-5);
   EXPECT_EQ(found.pooled.rate, row.pooled->knappHartung.p <= 0.05 ? 1.0 : 0.0);
 }
 

@@ -74,8 +74,8 @@ TEST(PublishedCheck, FindsThatThePrintedPIsImpossible) {
   EXPECT_FALSE(all.comparisons[1].isAttainable);  // .021, and at most .0165
   EXPECT_TRUE(all.comparisons[2].isAttainable);
   EXPECT_FALSE(all.row);
-  EXPECT_TRUE(checkConvention(professionals(), {30, 30, 30}, kWelch).allAttainable());
-  EXPECT_TRUE(checkConvention(others(), {30, 30, 30}, kWelch).allAttainable());
+  EXPECT_TRUE(checkConvention(professionals(), {30, 30, 30}, kWelch).areAllAttainable());
+  EXPECT_TRUE(checkConvention(others(), {30, 30, 30}, kWelch).areAllAttainable());
 }
 
 TEST(PublishedCheck, FindsARowOfRealNumbersThatGivesEveryP) {
@@ -94,12 +94,12 @@ TEST(PublishedCheck, FindsARowOfRealNumbersThatGivesEveryP) {
 
 TEST(PublishedCheck, NoEqualSizesFitWholeAnswers) {
   const auto of36 = fits(professionals(), from(24, 36));
-  EXPECT_EQ(of36.tried, 2197U);
+  EXPECT_EQ(of36.triedCombinations, 2197U);
   EXPECT_EQ(of36.fitting.size(), 62U);
   EXPECT_TRUE(of36.equalSizes().empty());
   EXPECT_EQ(of36.largestFittingSizes(), (GroupSizes{36, 36, 28}));
   const auto of30 = fits(others(), from(18, 30));
-  EXPECT_EQ(of30.tried, 2197U);
+  EXPECT_EQ(of30.triedCombinations, 2197U);
   EXPECT_TRUE(of30.fitting.empty());
   EXPECT_FALSE(of30.largestFittingSizes());
 }
@@ -113,16 +113,18 @@ std::string printedWith(double value, int decimals) {
 
 TEST(PublishedCheck, ShowsAnswersThatPrintTheWholeRow) {
   const auto fits62 = fits(professionals(), from(24, 36));
-  const auto& example = fits62.example;
-  ASSERT_EQ(example.size(), 3U);
+  const auto& exampleAnswers = fits62.exampleAnswers;
+  ASSERT_EQ(exampleAnswers.size(), 3U);
   const std::vector<std::uint64_t> sizes{36, 36, 28};
   const std::vector<const char*> means{"4.1", "2.6", "3.2"};
   const std::vector<const char*> variances{"1.3", "2.6", "2.4"};
   std::vector<LikertCounts> counts;
   for (std::size_t g = 0; g < 3; ++g) {
-    ASSERT_EQ(example[g].size(), 5U);
-    EXPECT_EQ(std::accumulate(example[g].begin(), example[g].end(), std::uint64_t{0}), sizes[g]);
-    counts.emplace_back(1, example[g]);
+    ASSERT_EQ(exampleAnswers[g].size(), 5U);
+    EXPECT_EQ(
+        std::accumulate(exampleAnswers[g].begin(), exampleAnswers[g].end(), std::uint64_t{0}),
+        sizes[g]);
+    counts.emplace_back(1, exampleAnswers[g]);
   }
   const auto interpolationAndFilter = welchTTest(momentsOf(counts[0]), momentsOf(counts[2]));
   EXPECT_EQ(printedWith(*interpolationAndFilter.p, 3), "0.021");
@@ -136,7 +138,7 @@ TEST(PublishedCheck, ShowsAnswersThatPrintTheWholeRow) {
 }
 
 TEST(PublishedCheck, ShowsNoAnswersWhereNoneExist) {
-  EXPECT_TRUE(fits(others(), from(18, 30)).example.empty());
+  EXPECT_TRUE(fits(others(), from(18, 30)).exampleAnswers.empty());
 }
 
 TEST(PublishedCheck, HalfPointsFitWhereEachParticipantLacksOneAnswer) {

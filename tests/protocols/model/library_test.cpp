@@ -180,9 +180,9 @@ TEST(ProtocolLibrary, AsksThePublishedStatementsSetBySet) {
   for (const auto* round : {"round-1", "round-2"}) {
     const auto& asked = protocol.phase(round)->trials.questionnaires.at(0);
     EXPECT_EQ(asked.instrument, "punch-face-validity");
-    EXPECT_EQ(asked.setFor("interpolation"), "1");
-    EXPECT_EQ(asked.setFor("finite-elements"), "2");
-    EXPECT_EQ(asked.setFor("kalman"), "3");
+    EXPECT_EQ(asked.itemSetFor("interpolation"), "1");
+    EXPECT_EQ(asked.itemSetFor("finite-elements"), "2");
+    EXPECT_EQ(asked.itemSetFor("kalman"), "3");
   }
   EXPECT_FALSE(*protocol.phase("round-1")->trials.isVisualised);
   EXPECT_TRUE(*protocol.phase("round-2")->trials.isVisualised);
@@ -233,7 +233,7 @@ void expectBalanced(const Balance& balance, std::size_t participants, bool hasNe
   const auto afterEach = static_cast<int>(participants / k);  // k − 1 successions, k(k − 1) pairs
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t j = 0; j < k; ++j) {
-      EXPECT_EQ(balance.atPosition[i][j], atEach);
+      EXPECT_EQ(balance.positionCounts[i][j], atEach);
       if (hasNeighbours) {
         EXPECT_EQ(balance.after[i][j], i == j ? 0 : afterEach);
       }

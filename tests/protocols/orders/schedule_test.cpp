@@ -52,7 +52,7 @@ TEST(Schedule, BalancesTheShippedStudiesWhereItSaysSo) {
         const auto full = balanceOf(protocol, phase, 5, cohort.id, one.multipleOf);
         EXPECT_TRUE(full.isBalanced) << name;
         std::set<int> counts;
-        for (const auto& row : full.atPosition) counts.insert(row.begin(), row.end());
+        for (const auto& row : full.positionCounts) counts.insert(row.begin(), row.end());
         EXPECT_EQ(counts.size(), 1U) << name << " " << phase.id;
         EXPECT_FALSE(balanceOf(protocol, phase, 5, cohort.id, one.multipleOf + 1).isBalanced);
       }
@@ -261,14 +261,16 @@ TEST(Balance, IsThereForNoNumberWhereTheOrderIsFixedOrDrawn) {
 TEST(Balance, CountsWhatWasReallyDrawn) {
   const auto balance = balanceWith(R"({"type": "fixed"})", 7);
   EXPECT_EQ(balance.conditions, (Names{"soft", "firm", "third"}));
-  EXPECT_EQ(balance.atPosition, (std::vector<std::vector<int>>{{7, 0, 0}, {0, 7, 0}, {0, 0, 7}}));
+  EXPECT_EQ(
+      balance.positionCounts, (std::vector<std::vector<int>>{{7, 0, 0}, {0, 7, 0}, {0, 0, 7}}));
   EXPECT_EQ(balance.after, (std::vector<std::vector<int>>{{0, 0, 0}, {7, 0, 0}, {0, 7, 0}}));
 }
 
 TEST(Balance, OfPositionsIsExactInAPlainSquareAndThatOfNeighboursIsNot) {
   const auto balance = balanceWith(R"({"type": "latinSquare"})", 9);
   EXPECT_TRUE(balance.isBalanced);
-  EXPECT_EQ(balance.atPosition, (std::vector<std::vector<int>>{{3, 3, 3}, {3, 3, 3}, {3, 3, 3}}));
+  EXPECT_EQ(
+      balance.positionCounts, (std::vector<std::vector<int>>{{3, 3, 3}, {3, 3, 3}, {3, 3, 3}}));
   EXPECT_EQ(balance.after, (std::vector<std::vector<int>>{{0, 0, 6}, {6, 0, 0}, {0, 6, 0}}));
 }
 

@@ -69,14 +69,14 @@ TEST(LabelOf, IsEmptyForWordsAndNumbers) {
 
 TEST(Keyed, ReversesItemsWordedAgainst) {
   const Item against{.key = -1};
-  EXPECT_EQ(keyed(against, 1), 5);
-  EXPECT_EQ(keyed(against, 3), 3);
-  EXPECT_EQ(keyed(against, 5), 1);
-  EXPECT_EQ(keyed({.key = -1, .scale = {.lowest = 0, .points = 7}}, 2), 4);
+  EXPECT_EQ(keyedPoint(against, 1), 5);
+  EXPECT_EQ(keyedPoint(against, 3), 3);
+  EXPECT_EQ(keyedPoint(against, 5), 1);
+  EXPECT_EQ(keyedPoint({.key = -1, .scale = {.lowest = 0, .points = 7}}, 2), 4);
 }
 
 TEST(Keyed, LeavesTheOthersAsTheyAre) {
-  EXPECT_EQ(keyed({.key = 1}, 2), 2);
+  EXPECT_EQ(keyedPoint({.key = 1}, 2), 2);
 }
 
 class UnansweredTest : public testing::Test {
@@ -89,21 +89,21 @@ class UnansweredTest : public testing::Test {
 };
 
 TEST_F(UnansweredTest, NamesEveryRequiredItemInOrder) {
-  EXPECT_EQ(unanswered(items_, {}), (Texts{"a", "b", "c"}));
+  EXPECT_EQ(unansweredItems(items_, {}), (Texts{"a", "b", "c"}));
 }
 
 TEST_F(UnansweredTest, TakesNoEmptyAnswerForAnAnswer) {
   const std::vector<Answer> empty{{"a", std::nullopt}, {"b", " \n\t"}, {"c", Texts{}}};
-  EXPECT_EQ(unanswered(items_, empty), (Texts{"a", "b", "c"}));
+  EXPECT_EQ(unansweredItems(items_, empty), (Texts{"a", "b", "c"}));
 }
 
 TEST_F(UnansweredTest, ReportsNothingIfAllIsAnswered) {
   const std::vector<Answer> given{{"c", Texts{"x"}}, {"a", std::int64_t{1}}, {"b", "yes"}};
-  EXPECT_TRUE(unanswered(items_, given).empty());
+  EXPECT_TRUE(unansweredItems(items_, given).empty());
 }
 
 TEST_F(UnansweredTest, TakesZeroForAnAnswer) {
-  EXPECT_TRUE(unanswered({{.id = "n", .type = ItemType::Number}}, {{"n", 0.0}}).empty());
+  EXPECT_TRUE(unansweredItems({{.id = "n", .type = ItemType::Number}}, {{"n", 0.0}}).empty());
 }
 
 /// A role, a question for surgeons, and one for those of them who operate on knees.
@@ -113,8 +113,10 @@ class ConditionTest : public testing::Test {
       {.id = "role", .type = ItemType::SingleChoice},
       {.id = "knees",
        .type = ItemType::MultipleChoice,
-       .showIf = {.item = "role", .isIn = {"surgeon", "resident"}}},
-      {.id = "years", .type = ItemType::Number, .showIf = {.item = "knees", .isIn = {"yes"}}}};
+       .showIf = {.item = "role", .wantedOptions = {"surgeon", "resident"}}},
+      {.id = "years",
+       .type = ItemType::Number,
+       .showIf = {.item = "knees", .wantedOptions = {"yes"}}}};
 };
 
 TEST_F(ConditionTest, AsksWhereOneOfTheOptionsWasChosen) {
@@ -133,9 +135,9 @@ TEST_F(ConditionTest, AsksNothingAboutWhatIsItselfNotAsked) {
 }
 
 TEST_F(ConditionTest, RequiresNoAnswerToWhatIsNotAsked) {
-  EXPECT_EQ(unanswered(items_, {}), (Texts{"role"}));
-  EXPECT_EQ(unanswered(items_, {{"role", "surgeon"}}), (Texts{"knees"}));
-  EXPECT_TRUE(unanswered(items_, {{"role", "student"}}).empty());
+  EXPECT_EQ(unansweredItems(items_, {}), (Texts{"role"}));
+  EXPECT_EQ(unansweredItems(items_, {{"role", "surgeon"}}), (Texts{"knees"}));
+  EXPECT_TRUE(unansweredItems(items_, {{"role", "student"}}).empty());
 }
 
 }  // namespace answer_test

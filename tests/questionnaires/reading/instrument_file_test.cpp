@@ -161,7 +161,7 @@ TEST(InstrumentFile, ReadsEveryKeyOfAnItem) {
   const auto why = good("asked-on-a-page-of-its-own").items.at(1);
   EXPECT_TRUE(why.startsPage);
   EXPECT_EQ(why.showIf.item, "role");
-  EXPECT_EQ(why.showIf.isIn, std::vector<std::string>{"surgeon"});
+  EXPECT_EQ(why.showIf.wantedOptions, std::vector<std::string>{"surgeon"});
 }
 
 TEST(InstrumentFile, FillsInWhatIsUsual) {

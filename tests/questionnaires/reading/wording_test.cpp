@@ -174,7 +174,7 @@ TEST(Wording, IsRefusedInAnyLanguageWhereItsFileIsWrong) {
 TEST(Wording, LeavesTheInstrumentAloneWhereItIsRefused) {
   auto instrument = sus();
   Problems problems;
-  apply({.instrument = "sus", .version = "1", .language = "en"}, instrument, problems);
+  applyWording({.instrument = "sus", .version = "1", .language = "en"}, instrument, problems);
   EXPECT_EQ(problems.all().size(), 10U);
   EXPECT_TRUE(instrument.items[0].text.isEmpty());
 }

@@ -31,15 +31,15 @@ TEST(Consistency, ReportsNothingWithoutARule) {
 }
 
 TEST(Consistency, LooksAtKeyedAnswers) {
-  EXPECT_TRUE(consistencyOf(twoScales(), given(7, 1, 4, 4))->contradictory.empty());
+  EXPECT_TRUE(consistencyOf(twoScales(), given(7, 1, 4, 4))->contradictoryScores.empty());
   EXPECT_EQ(
-      consistencyOf(twoScales(), given(7, 7, 4, 4))->contradictory,
+      consistencyOf(twoScales(), given(7, 7, 4, 4))->contradictoryScores,
       std::vector<std::string>{"first"});
 }
 
 TEST(Consistency, AllowsTheWidestRangeItself) {
-  EXPECT_TRUE(consistencyOf(twoScales(), given(4, 4, 1, 4))->contradictory.empty());
-  EXPECT_EQ(consistencyOf(twoScales(), given(4, 4, 1, 5))->contradictory.size(), 1U);
+  EXPECT_TRUE(consistencyOf(twoScales(), given(4, 4, 1, 4))->contradictoryScores.empty());
+  EXPECT_EQ(consistencyOf(twoScales(), given(4, 4, 1, 5))->contradictoryScores.size(), 1U);
 }
 
 TEST(Consistency, WarnsFromSoManyContradictionsOn) {
@@ -52,8 +52,8 @@ TEST(Consistency, WarnsFromSoManyContradictionsOn) {
 }
 
 TEST(Consistency, FindsNoContradictionInFewerThanTwoAnswers) {
-  EXPECT_TRUE(consistencyOf(twoScales(), {{"a", std::int64_t{7}}})->contradictory.empty());
-  EXPECT_TRUE(consistencyOf(twoScales(), {})->contradictory.empty());
+  EXPECT_TRUE(consistencyOf(twoScales(), {{"a", std::int64_t{7}}})->contradictoryScores.empty());
+  EXPECT_TRUE(consistencyOf(twoScales(), {})->contradictoryScores.empty());
 }
 
 }  // namespace consistency_test

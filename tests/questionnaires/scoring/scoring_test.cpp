@@ -21,7 +21,7 @@ std::vector<Answer> all(const Instrument& instrument, const Response& response) 
 std::optional<double> scoreOf(
     const Instrument& instrument, std::string_view id, const std::vector<Answer>& answers) {
   for (const auto& score : instrument.scores) {
-    if (score.id == id) return scored(instrument, score, answers);
+    if (score.id == id) return scoreValue(instrument, score, answers);
   }
   ADD_FAILURE() << "there is no score " << id;
   return std::nullopt;
@@ -72,9 +72,9 @@ TEST(RawTlx, CountsTheTwentyOneTicksOfThePaperForm) {
   }
   const Score score{
       .items = {"a", "b", "c", "d", "e", "f"}, .reverseByKey = false, .offset = -1, .factor = 5};
-  EXPECT_EQ(scored(ticks, score, all(ticks, std::int64_t{1})), 0.0);
-  EXPECT_EQ(scored(ticks, score, all(ticks, std::int64_t{21})), 100.0);
-  EXPECT_EQ(scored(ticks, score, all(ticks, std::int64_t{8})), 35.0);
+  EXPECT_EQ(scoreValue(ticks, score, all(ticks, std::int64_t{1})), 0.0);
+  EXPECT_EQ(scoreValue(ticks, score, all(ticks, std::int64_t{21})), 100.0);
+  EXPECT_EQ(scoreValue(ticks, score, all(ticks, std::int64_t{8})), 35.0);
 }
 
 TEST(UeqShort, IsThreeWhereEveryPairIsSeven) {
@@ -108,78 +108,78 @@ TEST(PunchFaceValidity, IsBestWhereEveryoneAgreesWithWhatSpeaksForIt) {
 }
 
 TEST(Scored, ReversesItemsWordedAgainst) {
-  EXPECT_EQ(scored(kThree, kMean, points({5, 4, 1})), 14.0 / 3.0);  // 5, 4, 6 - 1
+  EXPECT_EQ(scoreValue(kThree, kMean, points({5, 4, 1})), 14.0 / 3.0);  // 5, 4, 6 - 1
 }
 
 TEST(Scored, LeavesTheKeyAloneWhereItIsTold) {
   const Score score{.items = {"a", "b", "c"}, .reverseByKey = false};
-  EXPECT_EQ(scored(kThree, score, points({5, 4, 1})), 10.0 / 3.0);
+  EXPECT_EQ(scoreValue(kThree, score, points({5, 4, 1})), 10.0 / 3.0);
 }
 
 TEST(Scored, AddsAndThenMultiplies) {
   const Score score{.items = {"a"}, .offset = -1.0, .factor = 25.0};
-  EXPECT_EQ(scored(kThree, score, points({4})), 75.0);  // (4 - 1) · 25
+  EXPECT_EQ(scoreValue(kThree, score, points({4})), 75.0);  // (4 - 1) · 25
 }
 
 TEST(Scored, SumsWhereItIsTold) {
   const Score score{.items = {"a", "b", "c"}, .aggregate = Score::Aggregate::Sum};
-  EXPECT_EQ(scored(kThree, score, points({5, 4, 1})), 14.0);
+  EXPECT_EQ(scoreValue(kThree, score, points({5, 4, 1})), 14.0);
 }
 
 TEST(Scored, NeedsEveryAnswerUnlessItIsToldOtherwise) {
-  EXPECT_FALSE(scored(kThree, kMean, points({5, 4})).has_value());
-  EXPECT_FALSE(scored(kThree, kMean, points({5, 4, std::nullopt})).has_value());
-  EXPECT_FALSE(scored(kThree, kMean, {}).has_value());
+  EXPECT_FALSE(scoreValue(kThree, kMean, points({5, 4})).has_value());
+  EXPECT_FALSE(scoreValue(kThree, kMean, points({5, 4, std::nullopt})).has_value());
+  EXPECT_FALSE(scoreValue(kThree, kMean, {}).has_value());
 }
 
 TEST(Scored, TakesAMissingAnswerNeitherForTheMiddleNorForZero) {
   const Score score{.items = {"a", "b", "c"}, .leastAnswered = 2};
-  EXPECT_EQ(scored(kThree, score, points({5, std::nullopt, 1})), 5.0);
-  EXPECT_FALSE(scored(kThree, score, points({5, std::nullopt, std::nullopt})).has_value());
+  EXPECT_EQ(scoreValue(kThree, score, points({5, std::nullopt, 1})), 5.0);
+  EXPECT_FALSE(scoreValue(kThree, score, points({5, std::nullopt, std::nullopt})).has_value());
 }
 
 TEST(Scored, NeverSumsWithAnAnswerMissing) {
   const Score score{
       .items = {"a", "b", "c"}, .aggregate = Score::Aggregate::Sum, .leastAnswered = 1};
-  EXPECT_FALSE(scored(kThree, score, points({5, 4})).has_value());
-  EXPECT_EQ(scored(kThree, score, points({5, 4, 1})), 14.0);
+  EXPECT_FALSE(scoreValue(kThree, score, points({5, 4})).has_value());
+  EXPECT_EQ(scoreValue(kThree, score, points({5, 4, 1})), 14.0);
 }
 
 TEST(Scored, CountsNoAnswerThatIsNone) {
   const Score score{.items = {"a", "b"}, .leastAnswered = 1};
-  EXPECT_EQ(scored(kThree, score, points({4, 9})), 4.0);
-  EXPECT_EQ(scored(kThree, score, {{"a", std::int64_t{4}}, {"b", "much"}}), 4.0);
-  EXPECT_FALSE(scored(kThree, {.items = {"why"}}, {{"why", "5"}}).has_value());
-  EXPECT_FALSE(scored(kThree, {.items = {"unknown"}}, {{"unknown", 5.0}}).has_value());
+  EXPECT_EQ(scoreValue(kThree, score, points({4, 9})), 4.0);
+  EXPECT_EQ(scoreValue(kThree, score, {{"a", std::int64_t{4}}, {"b", "much"}}), 4.0);
+  EXPECT_FALSE(scoreValue(kThree, {.items = {"why"}}, {{"why", "5"}}).has_value());
+  EXPECT_FALSE(scoreValue(kThree, {.items = {"unknown"}}, {{"unknown", 5.0}}).has_value());
 }
 
 TEST(Scored, TakesTheLastOfSeveralAnswers) {
   const std::vector<Answer> answers{{"a", std::int64_t{1}}, {"a", std::int64_t{4}}};
-  EXPECT_EQ(scored(kThree, {.items = {"a"}}, answers), 4.0);
+  EXPECT_EQ(scoreValue(kThree, {.items = {"a"}}, answers), 4.0);
 }
 
 TEST(Scored, HonoursAnAnswerThatWasTakenBack) {
   const std::vector<Answer> answers{{"a", std::int64_t{1}}, {"a", std::nullopt}};
-  EXPECT_FALSE(scored(kThree, {.items = {"a"}}, answers).has_value());
+  EXPECT_FALSE(scoreValue(kThree, {.items = {"a"}}, answers).has_value());
 }
 
 TEST(Scored, ReversesASliderBetweenItsEnds) {
   const Instrument instrument{
       .items = {{.id = "s", .type = ItemType::Slider, .key = -1, .least = -10.0, .most = 30.0}}};
-  EXPECT_EQ(scored(instrument, {.items = {"s"}}, {{"s", 25.0}}), -5.0);  // -10 + 30 - 25
+  EXPECT_EQ(scoreValue(instrument, {.items = {"s"}}, {{"s", 25.0}}), -5.0);  // -10 + 30 - 25
 }
 
 TEST(Scored, WeighsWhereItIsTold) {
   Score score{.items = {"a", "b", "c"}, .weights = {1.0, 2.0, 0.5}};
-  EXPECT_EQ(scored(kThree, score, points({5, 4, 1})), 15.5 / 3.5);  // 5 + 2·4 + 0.5·(6 - 1)
+  EXPECT_EQ(scoreValue(kThree, score, points({5, 4, 1})), 15.5 / 3.5);  // 5 + 2·4 + 0.5·(6 - 1)
   score.aggregate = Score::Aggregate::Sum;
-  EXPECT_EQ(scored(kThree, score, points({5, 4, 1})), 15.5);
+  EXPECT_EQ(scoreValue(kThree, score, points({5, 4, 1})), 15.5);
 }
 
 TEST(Scored, WeighsOnlyWhatWasAnsweredInAMean) {
   const Score score{.items = {"a", "b", "c"}, .leastAnswered = 1, .weights = {1.0, 3.0, 0.0}};
-  EXPECT_EQ(scored(kThree, score, points({5, 1})), 2.0);  // (5 + 3·1) / 4
-  EXPECT_EQ(scored(kThree, score, points({5})), 5.0);
+  EXPECT_EQ(scoreValue(kThree, score, points({5, 1})), 2.0);  // (5 + 3·1) / 4
+  EXPECT_EQ(scoreValue(kThree, score, points({5})), 5.0);
   const auto result = computeScore(kThree, score, points({std::nullopt, std::nullopt, 1}));
   EXPECT_FALSE(result.value.has_value());
   EXPECT_EQ(result.reason, "every item that was answered has the weight 0");
@@ -188,9 +188,9 @@ TEST(Scored, WeighsOnlyWhatWasAnsweredInAMean) {
 TEST(Scored, CountsFromAThreshold) {
   const Score score{
       .items = {"a", "b", "c"}, .aggregate = Score::Aggregate::Count, .countFrom = 4.0};
-  EXPECT_EQ(scored(kThree, score, points({4, 3, 1})), 2.0);  // 4 and 6 - 1
-  EXPECT_EQ(scored(kThree, score, points({1, 1, 5})), 0.0);
-  EXPECT_FALSE(scored(kThree, score, points({4, 3})).has_value());
+  EXPECT_EQ(scoreValue(kThree, score, points({4, 3, 1})), 2.0);  // 4 and 6 - 1
+  EXPECT_EQ(scoreValue(kThree, score, points({1, 1, 5})), 0.0);
+  EXPECT_FALSE(scoreValue(kThree, score, points({4, 3})).has_value());
 }
 
 TEST(Scored, ReplacesWhatIsMissingBeforeItIsTurnedRound) {
@@ -202,8 +202,8 @@ TEST(Scored, ReplacesWhatIsMissingBeforeItIsTurnedRound) {
   const auto result = computeScore(kThree, score, points({5}));
   EXPECT_EQ(result.value, 11.0);  // 5 + 2 + (6 - 2)
   EXPECT_EQ(result.answered, 1U);
-  EXPECT_EQ(result.replaced, 2U);
-  EXPECT_FALSE(scored(kThree, score, {}).has_value());
+  EXPECT_EQ(result.replacedItems, 2U);
+  EXPECT_FALSE(scoreValue(kThree, score, {}).has_value());
 }
 
 TEST(Scored, SaysWhyThereIsNoValue) {
@@ -218,7 +218,7 @@ TEST(Scored, HasNoWeightsFromPairsThatAreNone) {
   EXPECT_FALSE(pairWeights(kThree, noPairs, points({5, 4})).has_value());
   const Score wrongPairs{.items = {"a", "b"}, .weightsFrom = {"c"}};
   EXPECT_FALSE(pairWeights(kThree, wrongPairs, points({5, 4, 1})).has_value());
-  EXPECT_FALSE(scored(kThree, wrongPairs, points({5, 4, 1})).has_value());
+  EXPECT_FALSE(scoreValue(kThree, wrongPairs, points({5, 4, 1})).has_value());
 }
 
 TEST(ScoreChange, SaysWhichTimeIsMissing) {
@@ -234,8 +234,8 @@ TEST(ScoreChange, SaysWhichTimeIsMissing) {
 
 TEST(Scored, NeverYieldsNan) {
   const Instrument instrument{.items = {{.id = "n", .type = ItemType::Number}}};
-  EXPECT_FALSE(scored(instrument, {.items = {"n"}}, {{"n", NAN}}).has_value());
-  EXPECT_FALSE(scored(instrument, {.items = {}}, {}).has_value());
+  EXPECT_FALSE(scoreValue(instrument, {.items = {"n"}}, {{"n", NAN}}).has_value());
+  EXPECT_FALSE(scoreValue(instrument, {.items = {}}, {}).has_value());
 }
 
 TEST(ScoreRange, IsThatOfTheAuthors) {

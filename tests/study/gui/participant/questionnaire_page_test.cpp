@@ -140,7 +140,7 @@ std::vector<questionnaires::Item> itemsAroundAConditionalOne() {
          .text = text(id),
          .options = {{"yes", text("Yes")}, {"no", text("No")}}});
   }
-  items[1].showIf = {.item = "first", .isIn = {"yes"}};
+  items[1].showIf = {.item = "first", .wantedOptions = {"yes"}};
   return items;
 }
 
@@ -294,7 +294,7 @@ TEST(QuestionnairePage, AsksAndRetractsWhatDependsOnAnAnswer) {
       {.id = "why",
        .type = ItemType::Number,
        .startsPage = true,
-       .showIf = {.item = "sure", .isIn = {"yes"}}},
+       .showIf = {.item = "sure", .wantedOptions = {"yes"}}},
   });
   auto* sure = shown.page.findChild<OptionButtons*>();
   auto* why = shown.page.findChild<QLineEdit*>();
