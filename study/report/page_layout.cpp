@@ -250,7 +250,10 @@ std::vector<Item> itemsOf(const QTextDocument& document) {
     } else if (const auto block = it.currentBlock(); block.isValid()) {
       const bool isOfTable =
           !items.empty() && items.back().table != nullptr && items.back().block == block;
-      if (!isOfTable) items.push_back(itemOf(document, block));
+      if (isOfTable) continue;
+      const bool isCaption = !items.empty() && items.back().isFigure;
+      items.push_back(itemOf(document, block));
+      if (isCaption) items.back().firstPart = items.back().bottom;  // it is never divided
     }
   }
   return items;
@@ -394,6 +397,7 @@ bool keepNote(
     divide(*table, row, continued);
     return true;
   }
+  while (at > 0 && items[at - 1].keepsNext()) --at;  // a heading goes with its table
   if (beginsPage(items[at], page)) return false;
   setPageBreak(items[at], QTextFormat::PageBreak_AlwaysBefore);
   return true;

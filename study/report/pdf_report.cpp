@@ -165,6 +165,9 @@ std::vector<std::pair<QTextBlock, QBrush>> takeBackgrounds(QTextDocument& docume
     if (!format.hasProperty(QTextFormat::BackgroundBrush)) continue;
     taken.emplace_back(block, format.background());
     format.clearBackground();
+    const double margin = 8.0 * document.documentLayout()->paintDevice()->logicalDpiX() / 96.0;
+    format.setLeftMargin(margin);  // Qt does not scale these two (Qt 6.4)
+    format.setRightMargin(margin);
     QTextCursor(block).setBlockFormat(format);
   }
   return taken;
