@@ -12,6 +12,9 @@ constexpr int kBins = 80;                       // over the device's whole trave
 constexpr double kClosingSpeedQuantile = 0.95;  // quantile of closing speeds that is used as the
                                                 // hand's speed
 constexpr double kThresholdPerHandSpeed = 0.1;  // closing threshold as a share of the hand's speed
+/// Share of the largest feed that counts as reaching it: where the force falls, the device is a
+/// little slower than the tool, because the spring between them relaxes.
+constexpr double kReachesFeed = 0.9;
 constexpr double kSlowestStroke = 16.0;  // [s] for the whole travel: bounds the closing threshold
                                          // from above
 
@@ -33,9 +36,10 @@ double endOf(const haptics::engine::SceneSpec& scene) {
 
 /// The lower of the two middle values if their number is even, so that the median is a force that
 /// was commanded.
-float lowerMedian(std::vector<float>& forces) {
-  const auto middle = forces.begin() + static_cast<std::ptrdiff_t>((forces.size() - 1) / 2);
-  std::nth_element(forces.begin(), middle, forces.end());
+/// @param values  not empty.
+float lowerMedian(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
@@ -59,10 +63,13 @@ double ownSpeed(std::span<const storage::TraceSample> samples) {
 
 RenderedForceBins::RenderedForceBins(
     const haptics::devices::DeviceKind& kind, const haptics::engine::SceneSpec& scene)
-    : width_(kind.travel.most / kBins), closing_(kind.travel.most / kSlowestStroke) {
+    : width_(kind.travel.most / kBins),
+      closing_(kind.travel.most / kSlowestStroke),
+      mostFeed_(haptics::engine::largestFeedOf(scene)) {
   const double most = std::max(kind.travel.most, endOf(scene));
   // The small number keeps rounding errors from adding a bin.
   forces_.resize(static_cast<std::size_t>(std::ceil(most / width_ - 1e-9)));
+  atMostFeed_.resize(forces_.size());
 }
 
 void RenderedForceBins::add(std::span<const storage::TraceSample> samples) {
@@ -74,7 +81,10 @@ void RenderedForceBins::add(std::span<const storage::TraceSample> samples) {
     const auto velocity = static_cast<double>(sample.velocity);
     const bool closes = isFelt(sample) && velocity > 0.0 && velocity >= closing;
     if (closes) {
-      if (const auto bin = binOf(sample.travel)) stroke[*bin].push_back(sample.force);
+      if (const auto bin = binOf(sample.travel)) {
+        stroke[*bin].forces.push_back(sample.force);
+        stroke[*bin].speeds.push_back(sample.velocity);
+      }
       if (before != nullptr) addBetween(*before, sample, stroke);
     }
     before = closes ? &sample : nullptr;
@@ -98,12 +108,17 @@ void RenderedForceBins::addBetween(
   if (!first || !last) return;
   for (std::size_t bin = *first + 1; bin < *last; ++bin) {
     const double share = (middleOf(bin) - a.travel) / (static_cast<double>(b.travel) - a.travel);
-    stroke[bin].push_back(static_cast<float>(std::lerp(a.force, b.force, share)));
+    stroke[bin].forces.push_back(static_cast<float>(std::lerp(a.force, b.force, share)));
+    stroke[bin].speeds.push_back(b.velocity);
   }
 }
 
 void RenderedForceBins::endStroke(Stroke& stroke) {
-  for (auto& [bin, forces] : stroke) forces_[bin].push_back(lowerMedian(forces));
+  for (auto& [bin, passed] : stroke) {
+    forces_[bin].push_back(lowerMedian(passed.forces));
+    const auto speed = static_cast<double>(lowerMedian(passed.speeds));
+    if (speed >= kReachesFeed * mostFeed_) ++atMostFeed_[bin];
+  }
   stroke.clear();
 }
 
@@ -132,7 +147,13 @@ std::vector<RenderedForceCurve::Point> RenderedForceBins::points() {
       return static_cast<double>(
           forces[static_cast<std::size_t>(share * static_cast<double>(forces.size() - 1))]);
     };
-    points.push_back({middleOf(bin), at(0.1), at(0.5), at(0.9), static_cast<int>(bin)});
+    points.push_back(
+        {.travel = middleOf(bin),
+         .low = at(0.1),
+         .median = at(0.5),
+         .high = at(0.9),
+         .bin = static_cast<int>(bin),
+         .atMostFeed = static_cast<double>(atMostFeed_[bin]) / static_cast<double>(forces.size())});
   }
   return points;
 }

@@ -44,7 +44,12 @@ class RenderedForceBins {
   std::size_t strokes() const;
 
  private:
-  using Stroke = std::map<std::size_t, std::vector<float>>;  ///< forces of one stroke, by bin [N]
+  /// What one stroke gave in a bin.
+  struct Passed {
+    std::vector<float> forces;  ///< [N]
+    std::vector<float> speeds;  ///< [device's travel unit/s]
+  };
+  using Stroke = std::map<std::size_t, Passed>;  ///< by bin
 
   /// The bin of a travel; std::nullopt outside of all bins.
   std::optional<std::size_t> binOf(double travel) const;
@@ -57,7 +62,9 @@ class RenderedForceBins {
 
   double width_;                            ///< [device's travel unit]
   double closing_;                          ///< upper bound of the closing threshold [unit/s]
+  double mostFeed_;                         ///< of the scene [m/s]; infinite: no limit
   std::vector<std::vector<float>> forces_;  ///< of each stroke, by bin [N]
+  std::vector<std::size_t> atMostFeed_;     ///< strokes that reached mostFeed_, by bin
 };
 
 }  // namespace study

@@ -70,6 +70,7 @@ std::vector<RenderedForceCurve> renderedForceCurves(Study& study, RunMode mode) 
     curve.strokes = bins.strokes();
     for (auto& [participant, own] : byParticipant) curve.medians[participant] = own.medians();
     curve.intended = intendedForces(*condition.model, curve.points);
+    curve.mostFeed = haptics::engine::largestFeedOf(condition.scene());
     if (curve.trials > 0) curves.push_back(std::move(curve));
   }
   return curves;
@@ -83,6 +84,19 @@ std::optional<double> rmsFromIntended(const RenderedForceCurve& curve) {
     sum += off * off;  // not pow(), whose rounding depends on the compiler
   }
   return std::sqrt(sum / static_cast<double>(curve.points.size()));
+}
+
+std::optional<FeedLimited> feedLimitedIn(const RenderedForceCurve& curve) {
+  std::optional<FeedLimited> found;
+  for (std::size_t i = 0; i < curve.intended.size(); ++i) {
+    const auto& point = curve.points[i];
+    if (point.atMostFeed <= 0.5) continue;
+    const double half = point.travel / (2.0 * point.bin + 1.0);  // of a bin
+    if (!found) found = FeedLimited{.from = point.travel - half};
+    found->to = point.travel + half;
+    found->most = std::max(found->most, point.median - curve.intended[i]);
+  }
+  return found;
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,11 +19,12 @@ namespace study {
 struct RenderedForceCurve {
   /// The forces in one bin of travel.
   struct Point {
-    double travel = 0.0;  ///< middle of a bin [device's travel unit]
-    double low = 0.0;     ///< 10th percentile over strokes [N]
-    double median = 0.0;  ///< [N]
-    double high = 0.0;    ///< 90th percentile [N]
-    int bin = 0;          ///< number of the bin, the key in RenderedForceCurve::medians
+    double travel = 0.0;      ///< middle of a bin [device's travel unit]
+    double low = 0.0;         ///< 10th percentile over strokes [N]
+    double median = 0.0;      ///< [N]
+    double high = 0.0;        ///< 90th percentile [N]
+    int bin = 0;              ///< number of the bin, the key in RenderedForceCurve::medians
+    double atMostFeed = 0.0;  ///< share of the strokes that went as fast as the reamer cuts
   };
 
   std::string condition;
@@ -33,6 +35,8 @@ struct RenderedForceCurve {
   /// For bone: the quasi-static force of the material at the travel of each point [N]; otherwise
   /// empty.
   std::vector<double> intended = {};
+  /// The largest speed of a tool through bone [m/s]; infinite if there is no limit.
+  double mostFeed = std::numeric_limits<double>::infinity();
   /// The median force in every bin that a participant reached, by participant [N].
   std::map<std::string, std::map<int, double>> medians = {};
 };
@@ -56,6 +60,16 @@ std::vector<RenderedForceCurve> renderedForceCurves(Study& study, RunMode mode);
 /// The root mean square difference between the medians and RenderedForceCurve::intended [N];
 /// std::nullopt if `intended` is empty.
 std::optional<double> rmsFromIntended(const RenderedForceCurve& curve);
+
+/// Where most strokes went as fast as the reamer cuts: hands then push against this limit, and more
+/// is felt than the material gives.
+struct FeedLimited {
+  double from = 0.0;  ///< [device's travel unit]
+  double to = 0.0;    ///< [device's travel unit]
+  double most = 0.0;  ///< largest median force above RenderedForceCurve::intended [N]
+};
+/// std::nullopt if there is no such place.
+std::optional<FeedLimited> feedLimitedIn(const RenderedForceCurve& curve);
 
 /// The differences between all pairs of curves of the same device. Pairs without a common
 /// bin are left out.

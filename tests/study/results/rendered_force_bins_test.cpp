@@ -43,6 +43,23 @@ TEST(RenderedForceBins, CountReamingAtTheMeasuredSpeeds) {
   }
 }
 
+TEST(RenderedForceBins, CountTheStrokesThatReachTheLimitOfTheFeed) {
+  auto scene = bone();
+  std::get<MaterialSpec>(scene.model).isRemoved = true;  // at most 2 mm/s
+  RenderedForceBins bins(reamerKind(), scene);
+  for (const double speed : {0.0019, 0.002, 0.0017, 0.0005}) {
+    auto stroke = advancing(0.0101, speed, 50);
+    stroke.back().landmark = 5;  // the stroke ends
+    bins.add(stroke);
+  }
+  const auto points = bins.points();
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_EQ(points.front().atMostFeed, 0.5);
+  RenderedForceBins free(reamerKind(), bone());
+  free.add(advancing(0.0101, 0.002, 50));
+  EXPECT_EQ(free.points().front().atMostFeed, 0.0);
+}
+
 TEST(RenderedForceBins, LeaveOutAHandAtRest) {
   RenderedForceBins bins(reamerKind(), bone());
   auto samples = advancing(0.0, 0.03, 100);            // 3 mm, fast
