@@ -107,7 +107,9 @@ class AnswerWriter : HtmlWriter {
       subject = higherIn(row);
     }
     const auto none = say("no difference is significant.");
-    if (areAllInDoubt) text = none + " " + text;
+    const auto corrected = say("no difference is significant after correction.");
+    const bool isCorrected = !nameOf(family.family.correction).empty();
+    if (areAllInDoubt) text = (isCorrected ? corrected : none) + " " + text;
     if (text.empty() && untested != all.end()) return notTested(*untested);
     return text + ".";
   }
@@ -199,17 +201,14 @@ class AnswerWriter : HtmlWriter {
 
   void mainFigure(const FamilyResult& family) {
     const auto kind = *mainFigureOf(section_, family);
-    const auto caption = kind == MainFigure::Differences ? differencesCaption(family)
-                         : kind == MainFigure::Answers   ? kAnswersCaption
-                                                         : kParticipantMeansCaption;
-    const auto svg = mainSvg(family);
-    const bool isOfSome = kind == MainFigure::Differences && showsSomeOnly(family);
-    const auto others = withReferences("{} has all.", {"answer"});
-    if (svg.empty()) {
-      figure(svg, caption, "answer-figure");
-    } else {
-      putFigure(svg, say(caption) + (isOfSome ? " " + others : std::string()), "answer-figure");
-    }
+    auto caption = kind == MainFigure::Differences
+                       ? escaped(differencesCaption(family, section_.words))
+                   : kind == MainFigure::Answers ? say(kAnswersCaption)
+                                                 : say(kParticipantMeansCaption);
+    const auto others =
+        withReferences("Only of the method rated or named highest; {} has all.", {"answer"});
+    if (kind == MainFigure::Differences && showsSomeOnly(family)) caption += " " + others;
+    putFigure(mainSvg(family), caption, "answer-figure");
   }
 
   /// Whether the figure beside the answer leaves out comparisons.
@@ -281,8 +280,9 @@ class AnswerWriter : HtmlWriter {
          say("Difference"),
          headingOfIntervals(),
          effect.empty() ? say("Effect size") : withSubscripts(effect),
-         section_.wording == Wording::Vancouver ? "<i>P</i>" : kP},
+         headingOfP()},
         "answer");
+    bool isAnyBold = false;
     forEachAnswered([&](const auto& family, const auto& part) {
       if (!isAnyDefined(family, part)) {
         rowOver(cohortLabelOf(family, part) + ": " + say("not tested"));
@@ -290,7 +290,9 @@ class AnswerWriter : HtmlWriter {
       }
       rowOver(cohortLabelOf(family, part));
       for (const auto& comparison : declaredIn(family, part)) {
-        if (comparison.isDefined()) comparisonRow(family, part, comparison, effect.empty());
+        if (!comparison.isDefined()) continue;
+        comparisonRow(family, part, comparison, effect.empty());
+        isAnyBold = isAnyBold || isBold(family, comparison);
       }
     });
     endTable();
@@ -298,9 +300,32 @@ class AnswerWriter : HtmlWriter {
       return !nameOf(family.family.correction).empty();
     });
     const auto order = say("The method with the higher mean over all cohorts comes first.");
-    const auto uncorrected =
-        say("p is corrected, intervals are not: one without 0 may come with a p above α.");
-    put("<p class=\"note\">{}{}</p>", order, isCorrected ? " " + uncorrected : std::string());
+    const auto standardised = withSubscripts(say(
+        "g_z is the mean difference over the SD of the differences, corrected for small samples."));
+    const auto uncorrected = say(
+        "p is corrected for all comparisons under one heading, intervals are not: one without 0 "
+        "may come with a p above α.");
+    const auto bold = say("Bold: p ≤ α.");
+    put("<p class=\"note\">{}{}{}{}</p>",
+        order,
+        effect == "g_z" ? " " + standardised : std::string(),
+        isCorrected ? " " + uncorrected : std::string(),
+        isAnyBold ? " " + bold : std::string());
+  }
+
+  static bool isBold(const FamilyResult& family, const Declared& comparison) {
+    return family.isDeclared && comparison.test->isSignificant.value_or(false);
+  }
+
+  /// "p", with the correction if it is the same for all families.
+  std::string headingOfP() const {
+    const auto& all = section_.results.families;
+    const auto correction = all.front().family.correction;
+    const bool isCommon = std::ranges::all_of(
+        all, [&](const auto& other) { return other.family.correction == correction; });
+    const std::string symbol = section_.wording == Wording::Vancouver ? "<i>P</i>" : kP;
+    const auto name = isCommon ? nameOf(correction) : std::string_view();
+    return name.empty() ? symbol : symbol + "<sub>" + std::string(name) + "</sub>";
   }
 
   void comparisonRow(
@@ -310,7 +335,6 @@ class AnswerWriter : HtmlWriter {
       bool namesEffect) {
     const auto& [group1, group2, difference, test, withinPeople] = comparison;
     const auto& effect = difference->effect;
-    const bool isBold = family.isDeclared && test->isSignificant.value_or(false);
     const auto p = cellOfP(
         test->adjusted && !nameOf(family.family.correction).empty() ? test->adjusted : test->p);
     row(
@@ -321,7 +345,7 @@ class AnswerWriter : HtmlWriter {
          : namesEffect
              ? withSubscripts(fmt::format("{} = {}", effect.name, rounded(effect.value, 2)))
              : rounded(effect.value, 2),
-         isBold ? "<strong>" + p + "</strong>" : p});
+         isBold(family, comparison) ? "<strong>" + p + "</strong>" : p});
   }
 
   /// "Interpolation (4.25) vs. FEM (2.81)": the means that the declared test compares, of all
@@ -388,12 +412,32 @@ bool hasAnswers(const CohortResult& cohort) {
       cohort.conditions, [](const auto& condition) { return condition.answers.total() > 0; });
 }
 
-std::string_view differencesCaption(const FamilyResult& family) {
-  const bool isShaded = family.family.equivalenceBound.has_value();
-  if (family.family.correction != protocols::CorrectionType::Bonferroni) {
-    return isShaded ? kShadedDifferencesCaption : kDifferencesCaption;
-  }
-  return isShaded ? kShadedCorrectedDifferencesCaption : kCorrectedDifferencesCaption;
+std::string differencesCaption(const FamilyResult& family, const words::Words& words) {
+  const double percent = 100.0 * (1.0 - family.family.alpha);
+  const auto plain =
+      words.say("Mean differences within people with uncorrected {:g} % intervals.", percent);
+  const auto corrected = words.say(
+      "Mean differences within people: the thick line is the {:g} % interval, the thin one is as "
+      "wide as Bonferroni’s correction asks of all comparisons.",
+      percent);
+  const auto shaded = words("Shaded are differences that count as none.");
+  const bool isCorrected = family.family.correction == protocols::CorrectionType::Bonferroni;
+  return (isCorrected ? corrected : plain) +
+         (family.family.equivalenceBound ? " " + shaded : std::string());
+}
+
+analysis::ShapiroWilkResult normalityOf(
+    const CohortResult& cohort, const analysis::WithinComparison& comparison) {
+  const auto& methods = cohort.table.methods;
+  const auto placeOf = [&](const std::string& id) {
+    return static_cast<std::size_t>(std::ranges::find(methods, id) - methods.begin());
+  };
+  const std::vector places{placeOf(comparison.group1), placeOf(comparison.group2)};
+  if (std::ranges::max(places) == methods.size()) return {};
+  const auto means = analysis::completeCaseMeans(cohort.table, places);
+  std::vector<double> differences;
+  for (const auto& of : means.means) differences.push_back(of[0] - of[1]);
+  return analysis::shapiroWilkTest(differences);
 }
 
 std::optional<MainFigure> mainFigureOf(const ReportSection& section, const FamilyResult& family) {
@@ -446,6 +490,8 @@ std::string comparedWithOthers(const ReportSection& section, const FamilyResult&
       });
     });
   };
+  constexpr std::size_t kFew = 3;  // all are shown; those of pooled answers have long sentences
+  if (!family.isNamed("welch") && family.family.comparisons.size() <= kFew) return {};
   for (const auto& id : {bestAlternativeOf(section), highestRatedIn(family)}) {
     if (isCompared(id)) return id;
   }

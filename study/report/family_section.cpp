@@ -153,6 +153,9 @@ class FamilyWriter : HtmlWriter {
   void checks() {
     if (std::ranges::any_of(result_.cohorts, hasSlope)) {
       put("<h4>{}</h4>", say("The order"));
+      paragraph(
+          "Exploratory: the slope of each person’s answers over the positions, and a one-sample "
+          "t-test of these slopes.");
       order();
     }
     if (std::ranges::any_of(result_.cohorts, hasChecks)) {
@@ -164,9 +167,6 @@ class FamilyWriter : HtmlWriter {
   static bool hasSlope(const CohortResult& part) { return part.position.slope.p.has_value(); }
 
   static bool isChecked(const analysis::MethodChecks& method) {
-    return method.alpha.value || method.omega.value || method.normality.w;
-  }
-  static bool isReliabilityKnown(const analysis::MethodChecks& method) {
     return method.alpha.value || method.omega.value;
   }
   static bool hasChecks(const CohortResult& part) {
@@ -197,53 +197,32 @@ class FamilyWriter : HtmlWriter {
   }
 
   void scale() {
-    const bool hasReliability = std::ranges::any_of(result_.cohorts, [](const auto& part) {
-      return std::ranges::any_of(part.checks.methods, isReliabilityKnown);
-    });
-    const auto both = say("Reliability of the statements and distribution of participants’ means");
-    const auto distribution = say("Distribution of participants’ means");
+    bool isAnyImproper = false;
     table(
-        hasReliability ? both : distribution,
+        say("Reliability of the statements"),
         {say("Method"),
          say("Statements"),
          say("Cronbach’s α"),
          say("95 % CI"),
-         say("McDonald’s ω"),
-         say("Shapiro–Wilk W"),
-         kP});
+         say("McDonald’s ω")});
     for (const auto& part : result_.cohorts) {
       if (!hasChecks(part)) continue;
-      const auto& spread = part.checks.spread;
-      rowOver(
-          cohort(part.cohort) + (spread.p ? say(": Brown–Forsythe F({:g}, {:g}) = {}, p {}",
-                                                *spread.degreesOfFreedom1,
-                                                *spread.degreesOfFreedom2,
-                                                rounded(spread.f, 2),
-                                                equalsOfP(spread.p))
-                                          : std::string()));
+      rowOver(cohort(part.cohort));
       for (const auto& method : part.checks.methods) {
         if (!isChecked(method)) continue;
+        isAnyImproper = isAnyImproper || method.omega.isImproper;
         row(
             {condition(method.method),
-             isReliabilityKnown(method) ? std::to_string(method.alpha.items) : std::string(),
+             std::to_string(method.alpha.items),
              cellOf(method.alpha.value, 2),
              cellOf(method.alpha.interval),
-             cellOf(method.omega.value, 2) + (method.omega.isImproper ? " †" : ""),
-             cellOf(method.normality.w, 3),
-             cellOfP(method.normality.p)});
+             cellOf(method.omega.value, 2) + (method.omega.isImproper ? " †" : "")});
       }
     }
     endTable();
-    const auto reliability =
-        say("α and ω: whether the statements about a method agree; † marks an ω whose factor "
-            "explains a statement completely.");
-    const auto normality =
-        say("W: whether participants’ means are normal, and Brown and Forsythe’s F whether methods "
-            "vary alike. No test is chosen by them. Paired t-tests and the linear models assume "
-            "that differences of these means are normal, which W does not examine.");
-    put("<p class=\"note\">{}{}</p>",
-        hasReliability ? reliability + " " : std::string(),
-        normality);
+    const auto agree = say("α and ω: whether the statements about a method agree.");
+    const auto improper = say("†: the factor of this ω explains a statement completely.");
+    put("<p class=\"note\">{}{}</p>", agree, isAnyImproper ? " " + improper : std::string());
   }
 
   const FamilyResult& result_;

@@ -15,12 +15,13 @@ class SitesWriter : HtmlWriter {
 
   std::string all(const std::string& forest) {
     put("<h4>{}</h4>", say("By site"));
-    figure(
+    captioned(
         forest,
-        "Mean differences within people at each site with their intervals at 1 − α; the area of a "
-        "square is the site’s weight. The diamond is the pooled difference with its interval: "
-        "random effects, τ² by REML, the standard error by Knapp and Hartung. An arrow: the "
-        "interval goes on.");
+        say("Mean differences within people at each site with their {:g} % intervals; the area of "
+            "a square is the site’s weight. The diamond is the pooled difference with its "
+            "interval: random effects, τ² by REML, the standard error by Knapp and Hartung. An "
+            "arrow: the interval goes on.",
+            100.0 * (1.0 - result_.family.alpha)));
     table(
         say("Differences of participants’ means by site"),
         {say("Site"),

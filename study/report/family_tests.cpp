@@ -35,7 +35,7 @@ class TestsWriter : HtmlWriter {
     differences();
     tests();
     if (mainFigureOf(section_, result_) != MainFigure::Differences)
-      figure(effects, differencesCaption(result_));
+      putFigure(effects, escaped(differencesCaption(result_, section_.words)));
     putTestsBetweenCohorts();
     return std::move(html_);
   }
@@ -132,6 +132,7 @@ class TestsWriter : HtmlWriter {
 
   void tests() {
     const auto correction = nameOf(result_.family.correction);
+    bool hasW = false;
     std::vector<std::string> headings{say("Comparison")};
     const auto& pairs = result_.cohorts.front().within.rows;
     for (std::size_t i = 0; !pairs.empty() && i < pairs.front().tests.size(); ++i) {
@@ -140,6 +141,7 @@ class TestsWriter : HtmlWriter {
       headings.push_back(say(shortNameOf(test.id)) + (result_.isNamed(test.id) ? " *" : ""));
     }
     headings.push_back(say("Equivalence"));
+    headings.push_back(kW);
     table(
         correction.empty()
             ? say("Tests of these differences: p without correction")
@@ -156,18 +158,31 @@ class TestsWriter : HtmlWriter {
         }
         const auto* tost = analysis::findTest(comparison.tests, "tost");
         cells.push_back(tost == nullptr ? std::string() : cellOfP(tost->p));
+        const auto normality = normalityOf(part, comparison);
+        hasW = hasW || normality.w;
+        cells.push_back(
+            normality.p ? rounded(normality.w, 2) + " (" + cellOfP(normality.p) + ")" : "");
         row(cells);
       }
     }
     endTable();
-    if (result_.family.equivalenceBound) {
-      note("Equivalence: two one-sided tests within ±{:g}.", *result_.family.equivalenceBound);
-    }
-    if (result_.isNamed("welch")) return;
-    note(
-        !result_.isDeclared ? "* the test that the protocol names; exploratory"
-        : hasBold_          ? "* the declared test; bold: its adjusted p ≤ α."
-                            : "* the declared test; none of its adjusted p is ≤ α.");
+    std::string text;
+    const auto add = [&](bool isTrue, const std::string& sentence) {
+      if (isTrue) text += (text.empty() ? "" : " ") + sentence;
+    };
+    const auto bound = result_.family.equivalenceBound;
+    const auto within = say("Equivalence: two one-sided tests within ±{:g}.", bound.value_or(0.0));
+    const auto marked =
+        say(!result_.isDeclared ? "* the test that the protocol names; exploratory."
+            : hasBold_          ? "* the declared test; bold: its adjusted p ≤ α."
+                                : "* the declared test; none of its adjusted p is ≤ α.");
+    const auto normality = say(
+        "W: Shapiro and Wilk’s, of the differences, with p in brackets. The paired t-test takes "
+        "them as normal; no test is chosen by W.");
+    add(bound.has_value(), within);
+    add(!result_.isNamed("welch"), marked);
+    add(hasW, normality);
+    if (!text.empty()) put("<p class=\"note\">{}</p>", text);
   }
 
   void difference(const analysis::WithinComparison& c, bool areShown) {
@@ -189,12 +204,13 @@ class TestsWriter : HtmlWriter {
          hasOdds ? cellOf(ordinal->effectInterval) : std::string()});
   }
 
-  /// With two decimals, so that points are below each other.
+  /// With two decimals, so that points are below each other; none from 100 on.
   std::string bayesFactorOf(const analysis::WithinComparison& c) const {
     const auto& bf10 = c.test("bayes_factor").effect.value;
     if (!bf10) return {};
     const bool isWithin = *bf10 >= 0.005 && *bf10 <= 1000.0;
-    return isWithin ? rounded(bf10, 2) : escaped(*bf10 < 1.0 ? "< 0.01" : "> 1000");
+    return isWithin ? rounded(bf10, *bf10 < 100.0 ? 2 : 0)
+                    : escaped(*bf10 < 1.0 ? "< 0.01" : "> 1000");
   }
 
   void putTestsBetweenCohorts() {

@@ -20,6 +20,7 @@ inline constexpr const char* kN = "<i>n</i>";
 inline constexpr const char* kP = "<i>p</i>";
 inline constexpr const char* kT = "<i>t</i>";
 inline constexpr const char* kDf = "<i>df</i>";
+inline constexpr const char* kW = "<i>W</i>";
 
 /// Writes one part of a study's page. say() and count() translate with the section's words and
 /// escape the text; put() takes markup.
@@ -142,16 +143,12 @@ class HtmlWriter {
   /// @param caption  in English: the text below the figure, or in its place.
   /// @param key  for references; empty: none
   void figure(const std::string& svg, std::string_view caption, const std::string& key = {}) {
-    if (svg.empty()) {
-      put("<p class=\"note\">{} {}</p>",
-          say("(No figure: this palpate was built without Qt.)"),
-          say(caption));
-      return;
-    }
     putFigure(svg, say(caption), key);
   }
   /// @param caption  in the language of the report, escaped.
-  void putFigure(const std::string& svg, const std::string& caption, const std::string& key) {
+  void putFigure(const std::string& svg, const std::string& caption, const std::string& key = {}) {
+    const auto missing = say("(No figure: this palpate was built without Qt.)");
+    if (svg.empty()) return put("<p class=\"note\">{} {}</p>", missing, caption);
     put("<figure>{}<figcaption{}>{}</figcaption></figure>", svg, idOf(key), caption);
   }
 

@@ -17,12 +17,14 @@ class InstrumentWriter : HtmlWriter {
   std::string all() {
     if (section_.results.instruments.empty()) return {};
     scores();
-    if (isBeyond_) {
-      note(
-          "Where an interval passes an end of the scale, in brackets after the score, it ends "
-          "there.");
-    }
+    const auto range =
+        say("In brackets after a score: its range, which may be another than the scale of the "
+            "statements.");
+    const auto beyond =
+        say("Intervals are Student’s: they may pass an end of the range, and are not cut there.");
+    put("<p class=\"note\">{}{}</p>", range, isBeyond_ ? " " + beyond : std::string());
     const auto* family = mainFamily(section_);
+    if (family != nullptr) leftOutOfScore(family->family);
     if (hasConditionScore_ && family != nullptr && family->isNamed("welch")) {
       put("<p class=\"note\">{}</p>",
           withReferences(
@@ -44,6 +46,26 @@ class InstrumentWriter : HtmlWriter {
       if (found == section_.instruments.end()) continue;
       write(*found, escaped(found->title.in(section_.words.language())), summary);
     }
+  }
+
+  /// The statements of a family's comparisons that the score of its instrument leaves out.
+  void leftOutOfScore(const protocols::Family& family) {
+    const auto found =
+        std::ranges::find(section_.instruments, family.instrument, &questionnaires::Instrument::id);
+    const bool hasOneScore = found != section_.instruments.end() && found->scores.size() == 1;
+    if (!hasConditionScore_ || !hasOneScore || !family.score.empty()) return;
+    const auto& score = found->scores.front();
+    std::vector<std::string> others;
+    for (const auto& item : protocols::comparedItems(family, found->items)) {
+      if (std::ranges::find(score.items, item.id) != score.items.end()) continue;
+      others.push_back(section_.words.say("“{}”", questionOf(item, section_.words.language())));
+    }
+    if (others.empty()) return;
+    put("<p class=\"note\">{} {}</p>",
+        withReferences("{} has more answers than the score, and other means.", {"answer"}),
+        say("“{}” leaves out: {}",
+            score.title.in(section_.words.language()),
+            listed(others, section_.words)));
   }
 
   void contradictions(
@@ -109,7 +131,9 @@ class InstrumentWriter : HtmlWriter {
           cohort(section_.results.flow[i].cohort) +
           (people.size() == 1 ? ofPeople(*people.begin()) : std::string()));
     }
-    table(say("Scores of participants: M with SD in brackets, and 95 % CI"), columns);
+    const auto ofAll = say("Scores of participants: M with SD in brackets, and 95 % CI");
+    const auto ofOne = say("Scores of the participant");
+    table(section_.results.completed() == 1 ? ofOne : ofAll, columns);
     const questionnaires::Instrument* last = nullptr;
     for (const auto& [instrument, id, about, summaries] : rows) {
       const auto& score = *instrument->score(id);
@@ -129,13 +153,12 @@ class InstrumentWriter : HtmlWriter {
     endTable();
   }
 
-  /// " (1–5)"; empty for a score without a range.
-  static std::string scaleEndWords(const questionnaires::Range& range) {
-    return range.low < range.high ? fmt::format(
-                                        " ({}–{})",
-                                        withMinusSign(exactly(range.low)),
-                                        withMinusSign(exactly(range.high)))
-                                  : std::string();
+  /// " (1 to 5)"; empty for a score without a range.
+  std::string scaleEndWords(const questionnaires::Range& range) const {
+    if (range.low >= range.high) return {};
+    return " (" +
+           say("{} to {}", withMinusSign(exactly(range.low)), withMinusSign(exactly(range.high))) +
+           ")";
   }
 
   /// The condition or the occasion that the scores of a row are about.

@@ -25,7 +25,7 @@ class ItemsWriter : HtmlWriter {
     }
     numbers();
     const auto notes = notesInWords();
-    if (hasTable_) put("<p class=\"note\">{}</p>", notes);
+    if (hasTable_) html_ = "<p class=\"note\">" + notes + "</p>\n" + html_;
     return std::move(html_);
   }
 
@@ -48,7 +48,10 @@ class ItemsWriter : HtmlWriter {
         leftOut_,
         "{} row is left out, because it would show one person alone, or nothing.",
         "{} rows are left out, because they would show one person alone, or nothing.");
+    const auto simulated =
+        say("Simulated answers about people are drawn at random, and may not fit their cohort.");
     std::string text = given;
+    if (section_.results.runMode == RunMode::Simulated) text += " " + simulated;
     if (isAnythingReversed_) text += " " + reversed;
     if (isAnythingMissing_) text += " " + missing;
     if (isAnythingHidden_) text += " " + hidden;

@@ -137,7 +137,7 @@ class LimitationsWriter : HtmlWriter {
               inWords(flag.why),
               sourcesOf(flag)));
     }
-    if (const auto unconfirmed = notConfirmed(); !unconfirmed.empty()) {
+    if (const auto unconfirmed = notConfirmed(false); !unconfirmed.empty()) {
       explain(say("Significant by the declared test only"), unconfirmed + ".");
     }
     if (const auto chance = families(false); !chance.empty()) {
@@ -195,7 +195,7 @@ class LimitationsWriter : HtmlWriter {
       if (!isOfAll) points.back() += " (" + escaped(titlesOf(cohortsIn(limitation))) + ")";
     }
     if (!isSaid) points.push_back(apart);
-    if (const auto found = notConfirmed(); !found.empty()) points.push_back(found);
+    if (const auto found = notConfirmed(true); !found.empty()) points.push_back(found);
     if (const auto found = families(true); !found.empty()) points.push_back(found);
     const auto warned = warnings();
     const auto remarks =
@@ -250,11 +250,12 @@ class LimitationsWriter : HtmlWriter {
     }
   }
 
-  /// How many significant results of declared paired t-tests no exact test finds, too; empty if
-  /// none.
-  std::string notConfirmed() const {
+  /// Which significant results of declared paired t-tests no exact test finds, too; empty if none.
+  /// @param isBrief  whether to name only a few
+  std::string notConfirmed(bool isBrief) const {
+    constexpr std::size_t kFew = 3;
     int significant = 0;
-    int alone = 0;
+    std::vector<std::string> alone;
     for (const auto& family : section_.results.families) {
       if (!family.isDeclared || !family.isNamed("paired_t")) continue;
       for (const auto& part : family.cohorts) {
@@ -264,16 +265,38 @@ class LimitationsWriter : HtmlWriter {
           const auto isFound = [&](const char* id) {
             return row.test(id).isSignificant.value_or(false);
           };
-          if (!isFound("sign_flip") && !isFound("signed_rank")) ++alone;
+          if (isFound("sign_flip") || isFound("signed_rank")) continue;
+          alone.push_back(withExactTests(family, part, row));
         }
       }
     }
     const auto sentence = count(
-        alone,
+        alone.size(),
         "{} of {} significant differences is not significant by either exact test (exploratory)",
         "{} of {} significant differences are not significant by either exact test (exploratory)",
         significant);
-    return alone > 0 ? sentence : std::string();
+    if (alone.empty()) return {};
+    return isBrief && alone.size() > kFew ? sentence
+                                          : sentence + ": " + listed(alone, section_.words);
+  }
+
+  /// "KF − FEM (Surgeons: p_Holm = .047; exact .060 and .066)"
+  std::string withExactTests(
+      const FamilyResult& family,
+      const CohortResult& part,
+      const analysis::WithinComparison& row) const {
+    const auto pOf = [&](const char* id) {
+      const auto& test = row.test(id);
+      return test.adjusted ? test.adjusted : test.p;
+    };
+    return withSubscripts(
+        say("{} − {} ({}: {}; exact {} and {})",
+            section_.conditionTitle(row.group1),
+            section_.conditionTitle(row.group2),
+            section_.cohortTitle(part.cohort),
+            formatPWithSymbol(pOf("paired_t"), nameOf(family.family.correction), section_.wording),
+            formatP(pOf("sign_flip"), section_.wording),
+            formatP(pOf("signed_rank"), section_.wording)));
   }
 
   /// The chance of a false finding in any cohort and family; empty if there is one of each.

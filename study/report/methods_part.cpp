@@ -35,7 +35,14 @@ class MethodsWriter : HtmlWriter {
   std::string all() {
     const auto& description = section_.protocol.study.description;
     const auto described = say("The protocol describes the study as: “{}”", description);
-    put("<p>{} {}</p>", description.empty() ? std::string() : described, collection());
+    const auto synthetic =
+        say("The curves were neither recorded nor measured here (“How this was made”).");
+    const bool isSynthetic =
+        std::ranges::any_of(section_.sources, &protocols::SceneDataSource::isSynthetic);
+    put("<p>{} {} {}</p>",
+        description.empty() ? std::string() : described,
+        isSynthetic ? synthetic : std::string(),
+        collection());
     put("<h4>{}</h4><p>{} {}</p>", say("Apparatus and force models"), apparatus(), models());
     put("<h4>{}</h4><p>{}{} {}</p>", say("Procedure"), procedure(), blinding(), exposure());
     put("<h4>{}</h4>{}", say("Analysis"), statisticsAsHtml(section_, citations_));
@@ -127,15 +134,14 @@ class MethodsWriter : HtmlWriter {
           device.maxForceRate,
           device.maxTorque,
           device.maxTorqueRate);
-      text +=
-          (text.empty() ? "" : " ") +
-          say("Device: {}. Forces act along one axis ({}, from {:g} to {:g}) and are limited to "
-              "{}.",
-              section_.words(kind.name),
-              section_.words(kind.shown.axis),
-              kind.shown.factor * kind.travel.least,
-              kind.shown.factor * kind.travel.most,
-              device.needsTorque ? both : force);
+      text += (text.empty() ? "" : " ") +
+              say("Device: {}. Forces act along one axis ({}, nominally from {:g} to {:g}) and are "
+                  "limited to {}.",
+                  section_.words(kind.name),
+                  section_.words(kind.shown.axis),
+                  kind.shown.factor * kind.travel.least,
+                  kind.shown.factor * kind.travel.most,
+                  device.needsTorque ? both : force);
     }
     if (section_.quality.rate > 0.0) {
       text += " " + say("They were computed {:.0f} times a second.", section_.quality.rate);
@@ -230,6 +236,8 @@ class MethodsWriter : HtmlWriter {
   /// The procedure for a participant, part by part.
   std::string procedure() const {
     std::string text;
+    const auto simulated = say("The protocol prescribes what follows; all of it was simulated.");
+    if (section_.results.runMode == RunMode::Simulated) text = simulated + " ";
     std::string last;                // what was done in the last block
     std::vector<std::string> forms;  // that follow each other
     const auto filledIn = [&] {
@@ -249,7 +257,7 @@ class MethodsWriter : HtmlWriter {
       }
       const auto done = block(phase);
       const auto title = section_.blockTitle(phase.id);
-      const auto likewise = say("So they did in {}.", title);
+      const auto likewise = say("The same was done in {}.", title);
       text += (done == last ? likewise : say("In {}, {}", title, done)) + " ";
       last = done;
     }

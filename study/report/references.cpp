@@ -13,6 +13,7 @@ namespace {
 
 // clang-format off
 constexpr std::array kPublications{
+    Publication{"AERA et al. 1999", "AERA; APA; NCME", "Standards for educational and psychological testing", "American Educational Research Association", "", "", ""},
     Publication{"Bates et al. 2015", "Bates D; Mächler M; Bolker B; Walker S", "Fitting linear mixed-effects models using lme4", "Journal of Statistical Software", "67(1)", "1–48", "10.18637/jss.v067.i01"},
     Publication{"Benjamini & Hochberg 1995", "Benjamini Y; Hochberg Y", "Controlling the false discovery rate: A practical and powerful approach to multiple testing", "Journal of the Royal Statistical Society: Series B", "57(1)", "289–300", "10.1111/j.2517-6161.1995.tb02031.x"},
     Publication{"Benjamini & Yekutieli 2001", "Benjamini Y; Yekutieli D", "The control of the false discovery rate in multiple testing under dependency", "The Annals of Statistics", "29(4)", "1165–1188", "10.1214/aos/1013699998"},
@@ -27,6 +28,7 @@ constexpr std::array kPublications{
     Publication{"Fisher 1935", "Fisher RA", "The design of experiments", "Oliver & Boyd", "", "", ""},
     Publication{"Friedman 1937", "Friedman M", "The use of ranks to avoid the assumption of normality implicit in the analysis of variance", "Journal of the American Statistical Association", "32(200)", "675–701", "10.1080/01621459.1937.10503522"},
     Publication{"Greenhouse & Geisser 1959", "Greenhouse SW; Geisser S", "On methods in the analysis of profile data", "Psychometrika", "24(2)", "95–112", "10.1007/BF02289823"},
+    Publication{"Hedges 1981", "Hedges LV", "Distribution theory for Glass’s estimator of effect size and related estimators", "Journal of Educational Statistics", "6(2)", "107–128", "10.3102/10769986006002107"},
     Publication{"Hochberg 1988", "Hochberg Y", "A sharper Bonferroni procedure for multiple tests of significance", "Biometrika", "75(4)", "800–802", "10.1093/biomet/75.4.800"},
     Publication{"Holm 1979", "Holm S", "A simple sequentially rejective multiple test procedure", "Scandinavian Journal of Statistics", "6(2)", "65–70", ""},
     Publication{"Hommel 1988", "Hommel G", "A stagewise rejective multiple test procedure based on a modified Bonferroni test", "Biometrika", "75(2)", "383–386", "10.1093/biomet/75.2.383"},
@@ -36,7 +38,6 @@ constexpr std::array kPublications{
     Publication{"Liddell & Kruschke 2018", "Liddell TM; Kruschke JK", "Analyzing ordinal data with metric models: What could possibly go wrong?", "Journal of Experimental Social Psychology", "79", "328–348", "10.1016/j.jesp.2018.08.009"},
     Publication{"Mann & Whitney 1947", "Mann HB; Whitney DR", "On a test of whether one of two random variables is stochastically larger than the other", "The Annals of Mathematical Statistics", "18(1)", "50–60", "10.1214/aoms/1177730491"},
     Publication{"McDonald 1999", "McDonald RP", "Test theory: A unified treatment", "Lawrence Erlbaum", "", "", ""},
-    Publication{"Messick 1995", "Messick S", "Validity of psychological assessment: Validation of inferences from persons’ responses and performances as scientific inquiry into score meaning", "American Psychologist", "50(9)", "741–749", "10.1037/0003-066X.50.9.741"},
     Publication{"Pearson 1900", "Pearson K", "On the criterion that a given system of deviations from the probable in the case of a correlated system of variables is such that it can be reasonably supposed to have arisen from random sampling", "Philosophical Magazine", "50(302)", "157–175", "10.1080/14786440009463897"},
     Publication{kReamingPaper, "Pelliccia L; Lorenz M; Heyde C-E; Kaluschke M; Klimant P; Knopp S; Schleifenbaum S; Rotsch C; Weller R; Werner M; Zachmann G; Zajonz D; Hammer N", "A cadaver-based biomechanical model of acetabulum reaming for surgical virtual reality training simulators", "Scientific Reports", "10", "", "10.1038/s41598-020-71499-5"},
     Publication{"Rouder et al. 2009", "Rouder JN; Speckman PL; Sun D; Morey RD; Iverson G", "Bayesian t tests for accepting and rejecting the null hypothesis", "Psychonomic Bulletin & Review", "16(2)", "225–237", "10.3758/PBR.16.2.225"},

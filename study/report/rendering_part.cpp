@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "study/report/html_writer.h"
@@ -8,19 +9,16 @@
 namespace study::report {
 namespace {
 
-constexpr std::string_view kCurvesCaption =
-    "Force at the handle while the tool closed or advanced, over travel: median and the middle 80 "
-    "% of all strokes, each of which counts once. A curve ends where fewer than half of them came.";
-
-constexpr std::string_view kBoneCurvesCaption =
-    "Force at the handle while the tool closed or advanced, over travel: median and the middle 80 "
-    "% of all strokes, each of which counts once. A curve ends where fewer than half of them came. "
-    "Dashed, for bone: what its material gives where "
-    "nothing has been reamed away. Where bone is taken away, the first stroke and the later ones, "
-    "which go through its hole, are in this together: the median then lies between both.";
-
+constexpr double kThinBand = 0.01;         // of the largest force: as wide as a line is drawn
 constexpr double kAlike = 0.005;           // forces that differ by less are printed alike [N]
 constexpr std::ptrdiff_t kFewestFlat = 3;  // points in a row
+
+/// What the landmarks are, see CutDetector.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kMeanings{
+    {{"interception", "where the force begins to rise"},
+     {"yield", "the largest force before it falls while the tool goes on"},
+     {"bottom-out", "the smallest force after that, before it rises again at the end"},
+     {"opening", "where the force was largest before the tool went back, first reached"}}};
 
 /// @param rising  not empty.
 double medianOf(const std::vector<double>& rising) {
@@ -38,7 +36,7 @@ class RenderingWriter : HtmlWriter {
       return std::move(html_);
     }
     for (const auto& svg : section_.figures.renderedForce) {
-      figure(svg, isOfBone() ? kBoneCurvesCaption : kCurvesCaption);
+      captioned(svg, curvesCaption());
     }
     flatCurves();
     const bool isEmpty =
@@ -84,6 +82,37 @@ class RenderingWriter : HtmlWriter {
   /// Whether the ends of an interval are printed differently: simulated hands all move alike.
   static bool hasWidth(const std::optional<analysis::Interval>& interval) {
     return interval && interval->high - interval->low >= kAlike;
+  }
+
+  std::string curvesCaption() const {
+    auto caption =
+        say("Force at the handle on the way in: median and the middle 80 % of all strokes, each of "
+            "which counts once. A curve ends where fewer than half of them came.");
+    const auto thin = say("Most of the middle 80 % is no wider than the lines.");
+    const auto dashed = say("Dashed: what the untouched material gives to a slow push.");
+    const auto hole = say(
+        "The first stroke and the later ones, which go through its hole, are in this together.");
+    if (areBandsThin()) caption += " " + thin;
+    if (isOfBone()) caption += " " + dashed;
+    const bool hasHole = std::ranges::any_of(section_.curves, [&](const auto& curve) {
+      const auto parts =
+          haptics::engine::partsOf(*section_.protocol.condition(curve.condition)->model);
+      return parts.packing != nullptr && parts.packing->isRemoved;
+    });
+    return hasHole ? caption + " " + hole : caption;
+  }
+
+  bool areBandsThin() const {
+    std::vector<double> widths;
+    double most = 0.0;
+    for (const auto& curve : section_.curves) {
+      for (const auto& point : curve.points) {
+        widths.push_back(point.high - point.low);
+        most = std::max(most, point.high);
+      }
+    }
+    std::ranges::sort(widths);
+    return !widths.empty() && medianOf(widths) < kThinBand * most;
   }
 
   bool isOfBone() const {
@@ -212,13 +241,13 @@ class RenderingWriter : HtmlWriter {
     }
     if (names.empty()) return;
     table(
-        say("Landmarks of all strokes, over all participants: travel; force, M with SD in "
-            "brackets"),
+        say("Landmarks of all strokes, over all participants: place; force, M with SD in brackets"),
         columns);
     std::vector<std::string> counts{kN};
     for (const auto& id : conditions) counts.push_back(std::to_string(strokesOf(id)));
     row(counts);
     bool isAnyRare = false;
+    bool isAnyEmpty = false;
     for (const auto name : names) {
       std::vector<std::string> cells(columns.size());
       cells.front() = say(name);
@@ -228,14 +257,28 @@ class RenderingWriter : HtmlWriter {
         cells[static_cast<std::size_t>(place)] = landmarkCell(one);
         isAnyRare = isAnyRare || one.force.n < strokesOf(one.condition);
       }
+      isAnyEmpty = isAnyEmpty || std::ranges::any_of(cells, &std::string::empty);
       row(cells);
     }
     endTable();
-    if (isAnyRare) {
-      note(
-          "n in a cell: the strokes that have the landmark, where not all have it. It has no mean "
-          "where fewer than half of them have it, and no row where this is so in every column.");
+    std::string text;
+    for (const auto& [name, meaning] : kMeanings) {
+      const auto defined = say(meaning);  // of all: tests find missing translations
+      if (isIn(names, name)) text += (text.empty() ? "" : "; ") + say(name) + ": " + defined;
     }
+    const auto none = say("An empty cell: no stroke has it.");
+    const auto rare =
+        say("n in a cell: the strokes that have the landmark, where not all have it. It has no "
+            "mean where fewer than half of them have it, and no row where this is so in every "
+            "column.");
+    if (!text.empty()) text += ".";
+    if (isAnyEmpty) text += " " + none;
+    if (isAnyRare) text += " " + rare;
+    if (!text.empty()) put("<p class=\"note\">{}</p>", text);
+  }
+
+  static bool isIn(const std::vector<std::string_view>& names, std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
   }
 
   void againstMaterial() {
@@ -249,6 +292,34 @@ class RenderingWriter : HtmlWriter {
     }
     paragraph(
         "Felt against the material, root mean square difference of the median force: {}.", all);
+    feedLimits();
+  }
+
+  /// Where hands pushed against the speed at which the reamer cuts.
+  void feedLimits() {
+    std::string all;
+    const RenderedForceCurve* last = nullptr;
+    for (const auto& curve : section_.curves) {
+      const auto found = feedLimitedIn(curve);
+      if (!found) continue;
+      last = &curve;
+      const auto& shown = kindOf(curve.condition).shown;
+      all += (all.empty() ? "" : ", ") + section_.words.say(
+                                             "{} up to {} N ({} to {} {})",
+                                             section_.conditionTitle(curve.condition),
+                                             rounded(found->most, 1),
+                                             rounded(shown.factor * found->from, 1),
+                                             rounded(shown.factor * found->to, 1),
+                                             shownUnit(curve.condition));
+    }
+    if (last == nullptr) return;
+    const auto& shown = kindOf(last->condition).shown;
+    paragraph(
+        "More was felt than the material gives where most strokes went as fast as the reamer cuts, "
+        "{:g} {}: hands pushed against this limit, and a dip of the force was flattened: {}.",
+        shown.factor * last->mostFeed,
+        shown.velocityUnit,
+        all);
   }
 
   std::string counts() const {

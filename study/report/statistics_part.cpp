@@ -40,6 +40,9 @@ class StatisticsWriter : HtmlWriter {
   StatisticsWriter(const ReportSection& section, Citations& citations)
       : HtmlWriter(section), citations_(citations) {
     for (const auto& family : section.results.families) gather(family);
+    for (const std::string_view model : {"mixed_model", "ordinal_model"}) {
+      if (auto one = pairs_.extract(model)) models_.insert(std::move(one));
+    }
     for (const auto& vote : section.results.votes) {
       if (vote.test.exactP) votes_.insert("equal_shares");
     }
@@ -48,6 +51,10 @@ class StatisticsWriter : HtmlWriter {
   std::string all() {
     list("Tests of all answers, pooled: {}.", pooled_);
     list("Tests within people, which take each participant’s mean: {}.", pairs_);
+    list(
+        "Models of single answers, with effects of person and of person × method, and of the round "
+        "where there are several: {}.",
+        models_);
     list("Tests of all methods together: {}.", overall_);
     list("Between cohorts, on participants’ means: {}.", between_);
     list("Of the scale: {}.", scale_);
@@ -57,22 +64,28 @@ class StatisticsWriter : HtmlWriter {
     const auto cliff = section_.words.say(
         "Cliff’s δ has the interval of Feng and Cliff {}.",
         citeIf(!between_.empty(), "Feng & Cliff 2004"));
+    const auto standardised = section_.words.say(
+        "The effect size g_z is that of Hedges {}, with the interval of noncentral t.",
+        citeIf(isStandardised_, "Hedges 1981"));
     const auto exact = section_.words("Exact tests count all arrangements, ties included.");
     const auto mixed = section_.words(
-        "The linear mixed model is fitted by REML with Satterthwaite’s degrees of freedom.");
+        "The linear mixed model is fitted by REML with Satterthwaite’s degrees of freedom; it "
+        "takes "
+        "all differences to vary alike (sphericity).");
     const auto ordinal =
         section_.words("The ordinal mixed model is fitted by Laplace’s approximation.");
     add(!votes_.empty(), wilson);
     add(!between_.empty(), cliff);
+    add(isStandardised_, standardised);
     add(!pairs_.empty() || !between_.empty() || !votes_.empty(), exact);
-    add(pairs_.contains("mixed_model"), mixed);
-    add(pairs_.contains("ordinal_model"), ordinal);
+    add(models_.contains("mixed_model"), mixed);
+    add(models_.contains("ordinal_model"), ordinal);
     corrections();
     const auto validity = section_.words.say(
-        "Evidence of validity is arranged by Messick’s sources {}.",
-        citations_.cite("Messick 1995, Cook & Hatala 2016"));
+        "Evidence of validity is arranged by the five sources of the Standards {}.",
+        citations_.cite("AERA et al. 1999, Cook & Hatala 2016"));
     add(true, validity);
-    put("<p>{} {}</p>", plan(), escaped(withCurlyQuotes(text_)));
+    put("<p>{} {}</p>", plan(), withSubscripts(escaped(withCurlyQuotes(text_))));
     return std::move(html_);
   }
 
@@ -170,14 +183,16 @@ class StatisticsWriter : HtmlWriter {
   void gather(const FamilyResult& family) {
     for (const auto& part : family.cohorts) {
       if (family.isNamed("welch")) gather(part.comparisons.rows, pooled_);
-      for (const auto& pair : part.within.rows) gather(pair.tests, pairs_);
+      for (const auto& pair : part.within.rows) {
+        gather(pair.tests, pairs_);
+        if (normalityOf(part, pair).w) pairs_.insert("shapiro_wilk");
+        isStandardised_ = isStandardised_ || pair.test("paired_t").effectInterval;
+      }
       gather(part.within.overall, overall_);
       for (const auto& method : part.checks.methods) {
         if (method.alpha.value) scale_.insert("cronbach_alpha");
         if (method.omega.value) scale_.insert("omega_total");
-        if (method.normality.w) scale_.insert("shapiro_wilk");
       }
-      if (part.checks.spread.p) scale_.insert("brown_forsythe");
     }
     for (const auto& one : family.between) gather(one.tests, between_);
   }
@@ -223,7 +238,8 @@ class StatisticsWriter : HtmlWriter {
 
   Citations& citations_;
   std::string text_;
-  Ids pooled_, pairs_, overall_, between_, scale_, votes_;
+  bool isStandardised_ = false;  ///< whether there is a g_z
+  Ids pooled_, pairs_, models_, overall_, between_, scale_, votes_;
 };
 
 }  // namespace

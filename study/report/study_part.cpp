@@ -33,7 +33,9 @@ class HeadWriter : HtmlWriter {
     const auto& family = result.family;
     std::vector<std::string> compared;
     for (const auto& id : conditionsOf(section_.protocol, family)) {
-      compared.push_back(section_.conditionTitle(id));
+      // of several participants the verdict above has introduced them
+      const bool isFirst = section_.results.completed() == 1;
+      compared.push_back(isFirst ? section_.introducedTitle(id) : section_.conditionTitle(id));
     }
     const auto judged = whatIsCompared(family);
     const auto plan = say(

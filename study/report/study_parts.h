@@ -170,23 +170,6 @@ inline constexpr std::string_view kParticipantMeansCaption =
     "there "
     "are at most fifty.";
 
-inline constexpr std::string_view kDifferencesCaption =
-    "Mean differences within people with their intervals at 1 − α, not corrected for the number of "
-    "comparisons.";
-
-inline constexpr std::string_view kShadedDifferencesCaption =
-    "Mean differences within people with their intervals at 1 − α, not corrected for the number of "
-    "comparisons. Shaded are differences that count as none.";
-
-inline constexpr std::string_view kCorrectedDifferencesCaption =
-    "Mean differences within people: the thick line is the interval at 1 − α, the thin one at 1 − "
-    "α/m, as wide as Bonferroni’s correction asks of m comparisons.";
-
-inline constexpr std::string_view kShadedCorrectedDifferencesCaption =
-    "Mean differences within people: the thick line is the interval at 1 − α, the thin one at 1 − "
-    "α/m, as wide as Bonferroni’s correction asks of m comparisons. Shaded are differences that "
-    "count as none.";
-
 /// The largest number of points of a scale whose answers are counted point by point.
 inline constexpr int kMostBars = 11;
 
@@ -206,8 +189,12 @@ enum class MainFigure {
 /// The short name of a test, for a table: "Paired t".
 std::string_view shortNameOf(std::string_view test);
 
-/// The caption of the figure of differences.
-std::string_view differencesCaption(const FamilyResult& family);
+/// The caption of the figure of differences, in the language of the report.
+std::string differencesCaption(const FamilyResult& family, const words::Words& words);
+
+/// Whether the differences of a comparison could be normal, as the paired t-test takes them.
+analysis::ShapiroWilkResult normalityOf(
+    const CohortResult& cohort, const analysis::WithinComparison& comparison);
 
 /// The figure to show beside the answer for @p family; std::nullopt if another family is the main
 /// one.

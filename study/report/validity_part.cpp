@@ -20,7 +20,7 @@ struct ValueRange {
   }
 };
 
-/// Arranges what a study has found by Messick's five sources of validity evidence, as Cook and
+/// Arranges what a study has found by the Standards' five sources of validity evidence, as Cook and
 /// Hatala (2016) describe them for simulators. Also names the sources for which there is no
 /// evidence.
 class ValidityWriter : HtmlWriter {
@@ -29,7 +29,7 @@ class ValidityWriter : HtmlWriter {
 
   std::string all() {
     table(
-        say("Validity evidence by Messick’s five sources"),
+        say("Validity evidence by the five sources of the Standards"),
         {say("Source"), textHeading(say("Evidence"))});
     source("Content", content());
     source("Response process", responseProcess());
@@ -38,7 +38,7 @@ class ValidityWriter : HtmlWriter {
     source("Consequences", consequences());
     endTable();
     note(
-        "Face validity is the weakest argument for a simulator. Messick’s five sources of validity "
+        "Face validity is the weakest argument for a simulator. The five sources of validity "
         "evidence show what this study adds, and what it does not.");
     return std::move(html_);
   }
@@ -51,11 +51,20 @@ class ValidityWriter : HtmlWriter {
 
   std::string content() const {
     if (section_.instruments.empty()) return {};
-    const auto own = std::ranges::count_if(section_.instruments, [](const auto& one) {
-      return one.source.citation.empty() || one.source.citation == kOwnWording;
-    });
+    std::size_t all = 0;
+    std::size_t own = 0;
+    for (const auto& one : section_.instruments) {
+      const bool isText = std::ranges::any_of(section_.protocol.phases, [&](const auto& phase) {
+        using enum protocols::PhaseType;
+        return phase.instrument == one.id &&
+               (phase.type == Information || phase.type == Consent || phase.type == Debrief);
+      });
+      if (isText) continue;
+      ++all;
+      if (one.source.citation.empty() || one.source.citation == kOwnWording) ++own;
+    }
     return count(
-        section_.instruments.size(),
+        all,
         "{} questionnaire or form was used, {} of it without a published source (“How this was "
         "made”). Whether experts judged its items is not recorded.",
         "{} questionnaires and forms were used, {} of them without a published source (“How this "
@@ -113,13 +122,12 @@ class ValidityWriter : HtmlWriter {
         if (!test.effect.value) continue;
         delta.add(test.effect.value);
         ++all;
-        const auto& interval = test.effectInterval;
-        if (interval && (interval->low > 0.0 || interval->high < 0.0)) ++clear;
+        if (test.p.value_or(1.0) <= family.family.alpha) ++clear;
       }
     }
     const auto text = section_.words.say(
-        "Cliff’s δ between cohorts: {} to {} (exploratory); its interval excludes 0 in {} of {} "
-        "comparisons.",
+        "Cliff’s δ between cohorts: {} to {} (exploratory); the exact p is ≤ α in {} of {} "
+        "comparisons, not corrected for their number.",
         rounded(delta.least, 2),
         rounded(delta.most, 2),
         clear,

@@ -89,6 +89,7 @@ struct Outcome {
   std::size_t significantWithin = 0;  ///< of these, the tests that agree with the declared one
   bool isHigherInEach = true;         ///< the best alternative, in each cohort
   Names differences;                  ///< of each cohort, in words
+  std::vector<double> points;         ///< the same, above 0 where the best alternative is higher
 };
 
 /// Says what was found without statistics.
@@ -207,8 +208,25 @@ class VerdictWriter {
               listed(one.differences, words_)));
     }
     if (!mixed.empty()) sentences.push_back(untested);
-    if (!alike.empty()) sentences.push_back(of(kAlike, alike, inAny, false));
+    if (!alike.empty()) {
+      sentences.push_back(of(kAlike, alike, inAny, false));
+      sentences.push_back(sizesOf(alike));
+    }
     return sentences;
+  }
+
+  /// What differences that are not significant do not show.
+  std::string sizesOf(const std::vector<Outcome>& outcomes) const {
+    std::vector<double> points;
+    for (const auto& one : outcomes) {
+      points.insert(points.end(), one.points.begin(), one.points.end());
+    }
+    const auto [least, most] = std::ranges::minmax(points);
+    return words_.say(
+        "Differences of {} to {} points of at most {} people do not prove likeness.",
+        rounded(least, 2),
+        rounded(most, 2),
+        mostPeople_);
   }
 
   /// @param where  said if there are several cohorts
@@ -266,9 +284,10 @@ class VerdictWriter {
         text);
   }
 
-  Outcome outcomeOf(const FamilyResult& family, const std::string& other) const {
+  Outcome outcomeOf(const FamilyResult& family, const std::string& other) {
     Outcome outcome{.condition = other};
     for (const auto& part : family.cohorts) {
+      mostPeople_ = std::max(mostPeople_, part.table.participants.size());
       for (const auto& row : declaredIn(family, part)) {
         if (other == best_ || !row.has(best_) || !row.has(other) || !row.isDefined()) continue;
         const double sign = row.group1 == best_ ? 1.0 : -1.0;
@@ -278,6 +297,7 @@ class VerdictWriter {
         const bool agrees = within.p && within.isSignificant.value_or(false) &&
                             sign * within.estimate.value.value_or(0.0) * difference > 0.0;
         ++outcome.tested;
+        outcome.points.push_back(difference);
         if (difference < 0.0) outcome.isHigherInEach = false;
         if (isSignificant) ++(difference > 0.0 ? outcome.above : outcome.below);
         if (within.p) ++outcome.testedWithin;
@@ -302,6 +322,7 @@ class VerdictWriter {
   std::string best_;  ///< condition
   std::string test_;  ///< that is declared, in words
   bool isTestNamed_ = false;
+  std::size_t mostPeople_ = 0;  ///< in a cohort
 };
 
 }  // namespace

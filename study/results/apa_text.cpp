@@ -95,7 +95,7 @@ class ApaWriter {
   std::string friedman(const analysis::TestRow& test) const {
     if (!test.p) return words_.say("Friedman’s test not defined: {}", words_(test.reason));
     std::string line = fmt::format(
-        "Friedman χ²({:g}) = {}, {}, W = {}",
+        "Friedman χ²({:g}) = {}, {}, Kendall’s W = {}",
         test.df.value_or(0.0),
         rounded(test.statistic.value, 2),
         formatPWithSymbol(test.p),

@@ -392,6 +392,8 @@ TEST(HtmlReport, HasTheLandmarksOfEachConditionsCuts) {
   EXPECT_TRUE(has(page, "<td><i>n</i></td><td>3</td>")) << page;
   EXPECT_TRUE(has(page, "<td>yield</td><td>7.20 (0.28); 4.50 (0.71), <i>n</i> = 2</td>")) << page;
   EXPECT_TRUE(has(page, "<td>largest force</td><td>5.50 (0.50)</td>")) << page;
+  EXPECT_TRUE(has(page, "yield: the largest force before it falls")) << page;
+  EXPECT_FALSE(has(page, "opening: ")) << "has no row";
 }
 
 TEST(HtmlReport, HasNoLandmarkOfFewStrokesOrAtTheOrigin) {
@@ -410,11 +412,13 @@ TEST(HtmlReport, ExplainsInACaptionOnlyWhatTheFigureShows) {
   auto section = tests::madeUpSection();
   auto& family = section.results.families.front();
   family.family.equivalenceBound.reset();
-  EXPECT_FALSE(has(std::string(differencesCaption(family)), "Shaded"));
+  EXPECT_FALSE(has(differencesCaption(family, section.words), "Shaded"));
+  EXPECT_TRUE(has(differencesCaption(family, section.words), "95 % interval"));
   family.family.equivalenceBound = 0.5;
-  EXPECT_TRUE(has(std::string(differencesCaption(family)), "Shaded are differences"));
+  EXPECT_TRUE(has(differencesCaption(family, section.words), "Shaded are differences"));
   section.figures.renderedForce = {"<svg/>"};
-  EXPECT_FALSE(has(renderingAsHtml(section), "for bone"));
+  EXPECT_FALSE(has(renderingAsHtml(section), "Dashed"));
+  EXPECT_FALSE(has(renderingAsHtml(section), "its hole")) << "no bone is removed";
 }
 
 TEST(HtmlReport, IsSelfContained) {
@@ -490,6 +494,29 @@ TEST(HtmlReport, ComparesRenderedBoneWithItsMaterial) {
   const auto page = asHtml({section});
   EXPECT_TRUE(has(page, "Felt against the material"));
   EXPECT_TRUE(has(page, "force: Interpolation 3.00 N."));
+  EXPECT_FALSE(has(page, "as fast as the reamer cuts"));
+}
+
+TEST(HtmlReport, SaysWhereHandsPushedAgainstTheLimitOfTheFeed) {
+  auto section = tests::madeUpSection();
+  auto& curve = section.curves.front();
+  curve.mostFeed = 0.002;
+  for (const auto& point : curve.points) curve.intended.push_back(point.median);
+  auto& limited = curve.points.at(1);
+  limited.atMostFeed = 0.51;
+  curve.intended.at(1) -= 2.5;
+  limited.bin = 1;
+  const auto from = fmt::format("{:.1f}", limited.travel * 2.0 / 3.0);
+  const auto to = fmt::format("{:.1f}", limited.travel * 4.0 / 3.0);
+  const auto page = renderingAsHtml(section);
+  EXPECT_TRUE(
+      has(page,
+          "as fast as the reamer cuts, 0.002 " +
+              std::string(section.protocol.device(curve.device)->kind->shown.velocityUnit)))
+      << page;
+  EXPECT_TRUE(has(page, "Interpolation up to 2.5 N (" + from + " to " + to)) << page;
+  limited.atMostFeed = 0.5;
+  EXPECT_FALSE(has(renderingAsHtml(section), "as fast as the reamer cuts"));
 }
 
 }  // namespace html_report_test

@@ -28,7 +28,8 @@ TEST(Methods, NamesTheDeviceItsAxisItsRateAndItsLimits) {
   const auto text = methodsOf(tests::madeUpSection());
   EXPECT_TRUE(
       has(text,
-          "Device: punch. Forces act along one axis (travel [travel units], from 0 to 11) and are "
+          "Device: punch. Forces act along one axis (travel [travel units], nominally from 0 to "
+          "11) and are "
           "limited to 8 N and 500 N/s. They were computed 1000 times a second."))
       << text;
 }
@@ -107,6 +108,9 @@ TEST(Methods, NamesEveryPartOfTheProcedureAndWhatHasNoSource) {
     EXPECT_TRUE(has(text, "“" + section.titleOf(phase.instrument) + "”")) << phase.id;
   }
   EXPECT_TRUE(has(text, "They gave their consent (“"));
+  EXPECT_TRUE(has(text, "all of it was simulated"));
+  section.results.runMode = study::RunMode::Live;
+  EXPECT_FALSE(has(methodsOf(section), "all of it was simulated"));
   EXPECT_TRUE(
       has(text, "<li>parameters of the protocol; nothing was recorded or measured: FEM</li>"));
 }
