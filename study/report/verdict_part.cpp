@@ -223,7 +223,7 @@ class VerdictWriter {
     }
     const auto [least, most] = std::ranges::minmax(points);
     return words_.say(
-        "Differences of {} to {} points of at most {} people do not prove likeness.",
+        "Differences of {} to {} points, n ≤ {}, prove no likeness.",
         rounded(least, 2),
         rounded(most, 2),
         mostPeople_);

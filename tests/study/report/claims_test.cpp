@@ -67,8 +67,8 @@ TEST(Claims, CallsNoAbsenceOfSignificanceAlikeness) {
   EXPECT_TRUE(has(
       verdictOf(section),
       "Interpolation was rated neither significantly higher nor lower than FEM (finite "
-      "elements) and KF (Kalman filter) in any cohort. Differences of 0.50 to 0.50 points of at "
-      "most 6 people do not prove likeness."))
+      "elements) and KF (Kalman filter) in any cohort. Differences of 0.50 to 0.50 points, n ≤ 6, "
+      "prove no likeness."))
       << verdictOf(section);
 }
 
