@@ -121,11 +121,16 @@ TEST(Figures, ShowBesideTheAnswerWhatItsSentencesState) {
   auto section = tests::madeUpSection();
   auto& family = section.results.families.front();
   family.family.test = protocols::TestType::PairedT;
+  const auto& figures = section.figures.families;
   paintFigures(section);
-  const auto& figures = section.figures.families.front();
-  EXPECT_NE(textsIn(figures.mainEffects).find("Interpolation − KF"), std::string::npos);
-  EXPECT_EQ(textsIn(figures.mainEffects).find("KF − FEM"), std::string::npos);
-  EXPECT_NE(textsIn(figures.effects).find("KF − FEM"), std::string::npos) << "in its own file";
+  EXPECT_NE(textsIn(figures.front().mainEffects).find("KF − FEM"), std::string::npos)
+      << "all of three";
+  family.family.comparisons.push_back(family.family.comparisons.front());
+  paintFigures(section);
+  EXPECT_NE(textsIn(figures.front().mainEffects).find("Interpolation − KF"), std::string::npos);
+  EXPECT_EQ(textsIn(figures.front().mainEffects).find("KF − FEM"), std::string::npos);
+  EXPECT_NE(textsIn(figures.front().effects).find("KF − FEM"), std::string::npos)
+      << "in its own file";
 }
 
 TEST(Figures, ShowTheSitesAndTheirPooledDifference) {
