@@ -16,9 +16,10 @@ class WrappingDelegate final : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    constexpr int kPadding = 8;  // [px] to each side
+    constexpr int kPadding = 5;  // [px] to each side, as in the theme
     auto narrower = option;
-    narrower.rect.adjust(kPadding, 0, -kPadding, 0);
+    const int padding = option.widget == nullptr ? kPadding : scaled(*option.widget, kPadding);
+    narrower.rect.adjust(padding, 0, -padding, 0);
     return QStyledItemDelegate::sizeHint(narrower, index);
   }
 
