@@ -94,8 +94,8 @@ void WorkDialog::addBeside(QBoxLayout* pictures) {
   auto* left = new QVBoxLayout;
   left->addLayout(form_);
   left->addStretch(1);
-  constexpr int kOfForm = 2;  // of five parts of the width
-  constexpr int kOfPictures = 3;
+  constexpr int kOfForm = 3;  // of seven parts of the width
+  constexpr int kOfPictures = 4;
   body_->addLayout(left, kOfForm);
   body_->addLayout(pictures, kOfPictures);
   pictures_ = pictures;

@@ -32,10 +32,18 @@ class PathLine final : public QLineEdit {
     style()->drawPrimitive(QStyle::PE_PanelLineEdit, &option, &painter, this);
     painter.setPen(
         palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::Text));
-    painter.drawText(
-        room,
-        Qt::AlignLeft | Qt::AlignVCenter,
-        fontMetrics().elidedText(text(), Qt::ElideMiddle, room.width()));
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, elided(room.width()));
+  }
+
+ private:
+  /// The folder loses its middle, and the file's name is whole as long as there is room for it.
+  QString elided(int width) const {
+    const auto name = text().mid(text().lastIndexOf(QLatin1Char('/')));
+    const int left = width - fontMetrics().horizontalAdvance(name);
+    const auto folder = text().chopped(name.size());
+    if (left < fontMetrics().horizontalAdvance(QStringLiteral("/…/…")))
+      return fontMetrics().elidedText(text(), Qt::ElideMiddle, width);
+    return fontMetrics().elidedText(folder, Qt::ElideMiddle, left) + name;
   }
 };
 
