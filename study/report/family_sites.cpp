@@ -15,7 +15,7 @@ class SitesWriter : HtmlWriter {
 
   std::string all(const std::string& forest) {
     put("<h4>{}</h4>", say("By site"));
-    captioned(
+    putFigure(
         forest,
         say("Mean differences within people at each site with their {:g} % intervals; the area of "
             "a square is the site’s weight. The diamond is the pooled difference with its "

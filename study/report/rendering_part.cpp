@@ -36,7 +36,7 @@ class RenderingWriter : HtmlWriter {
       return std::move(html_);
     }
     for (const auto& svg : section_.figures.renderedForce) {
-      captioned(svg, curvesCaption());
+      putFigure(svg, curvesCaption());
     }
     flatCurves();
     const bool isEmpty =

@@ -29,13 +29,13 @@ std::optional<std::string> choiceFor(SessionState state, SessionEvent event) {
       return isBroken ? "Skip the trial together with its questions."
                       : "Skip the step that it is in.";
     case SessionEvent::GaveUpOnDevice:
-      return "End it because the device failed; its place is free again.";
+      return "Device failed: end it; its place is free again.";
     case SessionEvent::ResumedSession:
       return "End the pause and go on.";
     case SessionEvent::Withdrew:
-      return "End it because the participant wants to; its place is free again.";
+      return "Withdrawal: end it because the participant wants to; its place is free again.";
     case SessionEvent::WasRejected:
-      return "Reject it with a reason; its place is free again.";
+      return "Reject: end it for a reason that you give; its place is free again.";
     default:
       return std::nullopt;
   }
@@ -62,7 +62,7 @@ std::vector<std::string> choicesFor(
     return allows(found, plan, session.step, event);
   };
   if (mayHappen(SessionEvent::FinishedStep) || mayHappen(SessionEvent::BeganTrial)) {
-    choices.push_back("Go on in this step; what was answered in it is still there.");
+    choices.push_back("Continue in this step; what was answered in it is still there.");
   }
   for (const auto& row : kSessionTransitions) {
     if (row.from != found || !mayHappen(row.event)) continue;

@@ -409,12 +409,12 @@ Verification verify(Study& study, const Progress& progress, const VerifyOptions&
   check("the audit trail is unbroken", auditTrail);
   result.checks.back().remarks = remarksOn(study);
   look("every signature matches the events before it", signatures);
-  look("the audit trail goes on from all that this station signed", [&](Study& of) {
+  look("the audit trail continues everything that this station signed", [&](Study& of) {
     return noted.compareWith(of, options.isOlderCopy);
   });
   check("all data agree with the audit trail", contents);
   check("every answer is what the audit trail says", answers);
-  look("whatever names a person is what was written", identities);
+  look("names are as they were entered", identities);
   check("every protocol is what its hash says", protocolHashes);
   look("every order is the one that was drawn", orders);
   if (!options.noted.empty()) {

@@ -10,7 +10,6 @@
 #include "questionnaires/json/document.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
-#include "study/report/report_section.h"
 
 namespace study::gui {
 namespace {
@@ -52,7 +51,30 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
   return said(count == 1 ? one : many, count);
 }
 
+QString contentsOf(const protocols::Protocol& protocol) {
+  return QString::fromStdString(said(
+      "\"{}\", {}, {}, {}.",
+      protocol.study.title,
+      counted(protocol.conditions.size(), "{} condition", "{} conditions"),
+      counted(protocol.phases.size(), "{} phase", "{} phases"),
+      counted(protocol.cohorts.size(), "{} cohort", "{} cohorts")));
+}
+
 }  // namespace
+
+report::ReportSection titlesOf(const protocols::LoadedProtocol& loaded) {
+  report::ReportSection section;
+  section.protocol = loaded.protocol;
+  section.instruments = loaded.instruments;
+  section.words = words::wordsIn(deskLanguage());
+  return section;
+}
+
+std::size_t blanksLeft(const protocols::LoadedProtocol& loaded) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      protocols::blanksOf(loaded),
+      [](const protocols::Blank& blank) { return blank.text.isEmpty(); }));
+}
 
 int CheckedProtocol::errors() const noexcept {
   return countOf(problems, Severity::Error);
@@ -68,26 +90,17 @@ std::string CheckedProtocol::verdict() const {
     return said(
         "Not valid yet: {}.", counted(countOf(std::max(errors(), 1)), "{} error", "{} errors"));
   }
-  const auto& protocol = loaded->protocol;
-  const auto what = said(
-      "\"{}\", {}, {}, {}.",
-      protocol.study.title,
-      counted(protocol.conditions.size(), "{} condition", "{} conditions"),
-      counted(protocol.phases.size(), "{} phase", "{} phases"),
-      counted(protocol.cohorts.size(), "{} cohort", "{} cohorts"));
-  if (warnings() == 0) return said("Valid: {}", what);
-  return said("Valid, {}: {}", counted(countOf(warnings()), "{} warning", "{} warnings"), what);
+  if (warnings() == 0) return said("Valid");
+  return said("Valid, {}", counted(countOf(warnings()), "{} warning", "{} warnings"));
 }
 
-std::string CheckedProtocol::shortVerdict() const {
-  if (!loaded) return verdict();
-  if (warnings() == 0) return said("Valid");
-  const auto count = static_cast<std::size_t>(warnings());
-  return said("Valid, {}", counted(count, "{} warning", "{} warnings"));
+Mark CheckedProtocol::mark() const noexcept {
+  return !loaded ? Mark::Bad : warnings() > 0 ? Mark::Warning : Mark::Good;
 }
 
 std::vector<Note> CheckedProtocol::notes() const {
   std::vector<Note> all;
+  if (loaded) all.push_back({contentsOf(loaded->protocol)});
   for (const auto& problem : problems) {
     const auto place = placeInWords(problem.path);
     const auto what = inWords(problem.what);
@@ -100,25 +113,8 @@ std::vector<Note> CheckedProtocol::notes() const {
   return all;
 }
 
-QString CheckedProtocol::problemsInWords() const {
-  QStringList lines;
-  for (const auto& problem : problems) {
-    const auto place = placeInWords(problem.path);
-    const auto fix = inWords(problem.fix);
-    lines << (problem.severity == Severity::Error ? QStringLiteral("✕  ") : QStringLiteral("!  ")) +
-                 (place.isEmpty() ? place : place + QStringLiteral(": ")) + inWords(problem.what) +
-                 (fix.isEmpty() ? fix : QStringLiteral("  →  ") + fix);
-  }
-  return lines.join(QLatin1Char('\n'));
-}
-
 QString CheckedProtocol::inWords(const base::Message& message) const {
-  if (!loaded) return deskText(message);
-  report::ReportSection section;
-  section.protocol = loaded->protocol;
-  section.instruments = loaded->instruments;
-  section.words = words::wordsIn(deskLanguage());
-  return QString::fromStdString(section.inWords(message));
+  return loaded ? QString::fromStdString(titlesOf(*loaded).inWords(message)) : deskText(message);
 }
 
 QString CheckedProtocol::placeInWords(const std::string& path) const {
@@ -170,14 +166,12 @@ CheckedProtocol checked(
   });
   const auto isBlank = [](const auto& problem) { return problem.what.key() == "blank_left"; };
   if (loaded && std::erase_if(problems, isBlank) > 0) {
-    const auto blanks = protocols::blanksOf(*loaded);
-    const auto left = std::ranges::count_if(
-        blanks, [](const protocols::Blank& blank) { return blank.text.isEmpty(); });
     problems.insert(
         problems.begin(),
         {.severity = Severity::Warning,
          .path = "$",
-         .what = base::Message::verbatim(said("{} blanks in texts for participants", left)),
+         .what = base::Message::verbatim(
+             said("{} blanks in texts for participants", blanksLeft(*loaded))),
          .fix = base::Message::verbatim(said("Fill in the texts…"))});
   }
   return {std::move(source), std::move(text), std::move(loaded), std::move(problems)};

@@ -8,8 +8,14 @@
 
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/widgets/note_list.h"
+#include "study/report/report_section.h"
 
 namespace study::gui {
+
+/// A section of a report that has only titles: of conditions, cohorts, blocks, instruments, items.
+report::ReportSection titlesOf(const protocols::LoadedProtocol& loaded);
+/// How many blanks of texts that participants read are not filled in.
+std::size_t blanksLeft(const protocols::LoadedProtocol& loaded);
 
 /// A protocol file as read from disk, with all problems found in it.
 struct CheckedProtocol {
@@ -21,15 +27,12 @@ struct CheckedProtocol {
 
   int errors() const noexcept;
   int warnings() const noexcept;
-  /// One sentence: the protocol is valid, and has so many warnings, or it has errors and cannot be
-  /// used yet.
+  /// "Valid, 9 warnings", or that it has errors and cannot be used yet.
   std::string verdict() const;
-  /// The verdict without what the protocol is: "Valid, 9 warnings".
-  std::string shortVerdict() const;
-  /// All problems: "Consent › introduction: …", with what to do below each.
+  Mark mark() const noexcept;
+  /// What it has, if it can be used, and all problems: "Consent › introduction: …", with what to do
+  /// below each.
   std::vector<Note> notes() const;
-  /// The same as lines: "! Consent › introduction: … → what to do".
-  QString problemsInWords() const;
   /// A text of a problem, with titles in place of the ids of conditions, cohorts, blocks,
   /// instruments and items.
   QString inWords(const base::Message& message) const;

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 
+#include <fmt/ranges.h>
+
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QRegularExpressionValidator>
 #include <QVBoxLayout>
 
 #include "protocols/orders/schedule.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
-#include "study/results/balance_words.h"
 
 namespace study::gui {
 namespace {
@@ -28,6 +30,56 @@ QString inOrder(const protocols::PlannedBlock& block, const protocols::Protocol&
   return trials.join(QStringLiteral(" · "));
 }
 
+std::string inWords(const protocols::Balance& balance) {
+  if (balance.multipleOf == 1) return said("the same order for everyone");
+  if (balance.multipleOf == 0) return said("drawn for everyone, and never balanced exactly");
+  return said(
+      balance.isBalanced ? "balanced; it is for every multiple of {}"
+                         : "not balanced; it is for every multiple of {}",
+      balance.multipleOf);
+}
+
+/// "6 · 0 · 0"
+std::string joined(const std::vector<int>& counts) {
+  return fmt::format("{}", fmt::join(counts, " · "));
+}
+
+/// How often each condition has each position and directly follows each other one, for the first
+/// cohort.
+DataTable balanceTable(
+    const protocols::Protocol& protocol, std::size_t participants, std::uint64_t seed) {
+  const auto titleOf = [&](const std::string& id) { return protocol.condition(id)->title; };
+  DataTable table{
+      .name = "balance",
+      .description = said("Balance"),
+      .columns =
+          {Heading::ofWords(said("Part")),
+           Heading::ofWords(said("Condition")),
+           Heading::ofWords(said("Balance")),
+           Heading::ofWords(said("Times at position 1, 2, …")),
+           Heading::ofWords(said("Times right after"))},
+      .rows = {}};
+  for (const auto& phase : protocol.phases) {
+    if (phase.type != protocols::PhaseType::Block) continue;
+    const auto balance =
+        protocols::balanceOf(protocol, phase, seed, protocol.cohorts.front().id, participants);
+    for (std::size_t i = 0; i < balance.conditions.size(); ++i) {
+      std::vector<std::string> after;
+      for (std::size_t j = 0; j < balance.conditions.size(); ++j) {
+        if (j == i) continue;
+        after.push_back(fmt::format("{} {}", titleOf(balance.conditions[j]), balance.after[i][j]));
+      }
+      table.rows.push_back(
+          {phaseTitle(phase.id).toStdString(),
+           titleOf(balance.conditions[i]),
+           inWords(balance),
+           joined(balance.atPosition[i]),
+           fmt::format("{}", fmt::join(after, " · "))});
+    }
+  }
+  return table;
+}
+
 int plannedOf(const protocols::Protocol& protocol) {
   int most = 0;
   for (const auto& cohort : protocol.cohorts) most = std::max(most, cohort.planned);
@@ -41,7 +93,7 @@ OrdersPage::OrdersPage(QWidget* parent)
       participants_(new QSpinBox(this)),
       seed_(new QLineEdit(this)),
       table_(new QTableWidget(this)),
-      balance_(new QTextBrowser(this)) {
+      balance_(new ResultTable(this)) {
   participants_->setRange(1, kMostOrders);
   participants_->setAccessibleName(tr("Participants of every cohort"));
   seed_->setAccessibleName(tr("Seed"));
@@ -52,10 +104,9 @@ OrdersPage::OrdersPage(QWidget* parent)
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setAccessibleName(tr("Orders"));
-  balance_->setMaximumHeight(120);
-  balance_->setAccessibleName(tr("Balance"));
-  balance_->setLineWrapMode(QTextEdit::NoWrap);
-  balance_->setStyleSheet(QStringLiteral("font-family: 'DejaVu Sans Mono'; font-size: 14px;"));
+  connect(balance_, &ResultTable::fitted, this, [this] {
+    balance_->setMaximumHeight(balance_->wholeHeight());
+  });
   auto* choices = new QHBoxLayout;
   choices->addWidget(new QLabel(tr("Participants of every cohort"), this));
   choices->addWidget(participants_);
@@ -67,7 +118,7 @@ OrdersPage::OrdersPage(QWidget* parent)
       tr("Number of the alternative, then the condition: do not look if you must stay blinded."),
       this));
   layout->addWidget(table_, 1);
-  layout->addWidget(balance_);
+  layout->addWidget(balance_, 1);
   connect(participants_, &QSpinBox::valueChanged, this, &OrdersPage::fill);
   connect(seed_, &QLineEdit::textChanged, this, &OrdersPage::fill);
 }
@@ -75,7 +126,7 @@ OrdersPage::OrdersPage(QWidget* parent)
 void OrdersPage::clear() {
   protocol_.reset();
   table_->setRowCount(0);
-  balance_->clear();
+  balance_->show(DataTable());
 }
 
 void OrdersPage::show(const protocols::Protocol& protocol) {
@@ -119,10 +170,8 @@ void OrdersPage::fill() {
     }
   }
   table_->resizeColumnsToContents();
-  balance_->setPlainText(
-      QString::fromStdString(
-          balanceInWords(*protocol_, static_cast<std::size_t>(participants_->value()), seed()))
-          .trimmed());
+  balance_->show(
+      balanceTable(*protocol_, static_cast<std::size_t>(participants_->value()), seed()));
 }
 
 }  // namespace study::gui

@@ -7,10 +7,10 @@
 #include <QLineEdit>
 #include <QSpinBox>
 #include <QTableWidget>
-#include <QTextBrowser>
 #include <QWidget>
 
 #include "protocols/model/protocol.h"
+#include "study/gui/widgets/result_table.h"
 
 namespace study::gui {
 
@@ -34,7 +34,7 @@ class OrdersPage final : public QWidget {
   QSpinBox* participants_;
   QLineEdit* seed_;
   QTableWidget* table_;
-  QTextBrowser* balance_;
+  ResultTable* balance_;
 };
 
 }  // namespace study::gui

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "study/cohort/simulated_participant.h"
+#include "study/gui/authoring/checked_protocol.h"
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/session/session_controller.h"
 #include "study/gui/widgets/attempt.h"
@@ -99,13 +100,11 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   place_->setAlignment(Qt::AlignCenter);
   place_->setProperty("role", QStringLiteral("screen"));
   place_->setAccessibleName(tr("Page of the participant"));
-  const auto left = std::ranges::count_if(
-      protocols::blanksOf(loaded_), [](const auto& blank) { return blank.text.isEmpty(); });
-  if (left > 0) {
+  if (const auto left = blanksLeft(loaded_); left > 0) {
     blanks_ =
         QStringLiteral(" ") +
-        tr("Texts that are still blank: %1. They are marked on the pages. Choose “Fill in the "
-           "texts…” before a live session.")
+        tr("Texts that are still blank: %1. They are marked on the pages, and have to be filled in "
+           "before a live session.")
             .arg(left);
     setRole(*messageLabel_, "warn");
   }
@@ -168,7 +167,11 @@ void PreviewWindow::makeBar(QVBoxLayout& layout) {
   looks->addWidget(languages_);
   looks->addWidget(sizes_);
   looks->addStretch(1);
-  languages_->setVisible(languages_->count() > 1);
+  auto* whose = new QLabel(tr("Preview in"), this);
+  looks->insertWidget(0, whose);
+  for (QWidget* shown : {static_cast<QWidget*>(whose), static_cast<QWidget*>(languages_)}) {
+    shown->setVisible(languages_->count() > 1);
+  }
   bar_->addLayout(pages);
   bar_->addLayout(looks, 1);
   layout.addLayout(bar_);
@@ -187,11 +190,13 @@ std::string PreviewWindow::language() const {
 }
 
 void PreviewWindow::fillSteps() {
+  constexpr QChar kFigureSpace(0x2007);  // as wide as a digit
   const QSignalBlocker quiet(steps_);
   int number = 0;
   for (const auto& step : previewSession_->controller.session().plan()) {
-    steps_->addItem(
-        QString::number(++number) + QStringLiteral("  ") + describe(step, loaded_.protocol.labels));
+    steps_->addItem(QStringLiteral("%1  %2")
+                        .arg(++number, 2, 10, kFigureSpace)
+                        .arg(describe(step, loaded_.protocol.labels)));
   }
   steps_->addItem(tr("End"));
   steps_->setCurrentRow(0);

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "study/gui/authoring/checked_protocol.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/session/session_length.h"
@@ -22,12 +23,12 @@ QString section(const QString& heading, const QStringList& lines) {
   return QStringLiteral("\n## %1\n\n- %2\n").arg(heading, lines.join(QStringLiteral("\n- ")));
 }
 
-QString inWords(protocols::OrderType order) {
-  switch (order) {
+QString inWords(const protocols::Order& order) {
+  switch (order.type) {
     case protocols::OrderType::Fixed:
       return tr("the same order for everyone");
     case protocols::OrderType::Reversed:
-      return tr("the order of an earlier part, reversed");
+      return tr("the order of %1, reversed").arg(phaseTitle(order.of));
     case protocols::OrderType::Random:
       return tr("a random order for each participant");
     case protocols::OrderType::LatinSquare:
@@ -50,10 +51,11 @@ QStringList cohortsOf(const protocols::Protocol& protocol) {
   return lines;
 }
 
-QStringList conditionsOf(const protocols::Protocol& protocol) {
+QStringList conditionsOf(const protocols::LoadedProtocol& loaded) {
   QStringList lines;
-  for (const auto& condition : protocol.conditions) {
-    lines << QString::fromStdString(condition.title);
+  const auto titles = titlesOf(loaded);
+  for (const auto& condition : loaded.protocol.conditions) {
+    lines << QString::fromStdString(titles.introducedTitle(condition.id));
   }
   return lines;
 }
@@ -65,7 +67,7 @@ QStringList partsOf(const protocols::Protocol& protocol) {
     lines << tr("%1: %2 conditions, %3")
                  .arg(phaseTitle(phase.id))
                  .arg(phase.trials.conditions.size())
-                 .arg(inWords(phase.trials.order.type));
+                 .arg(inWords(phase.trials.order));
   }
   return lines;
 }
@@ -99,7 +101,7 @@ QString protocolSummary(const protocols::LoadedProtocol& loaded) {
       tr("Languages: %1").arg(languages.join(QStringLiteral(", ")))};
   return QString::fromStdString(protocol.study.description) + QLatin1Char('\n') +
          section(tr("Participants"), cohortsOf(protocol)) + section(tr("A session"), session) +
-         section(tr("What is compared"), conditionsOf(protocol)) +
+         section(tr("What is compared"), conditionsOf(loaded)) +
          section(tr("In which order"), partsOf(protocol)) +
          section(tr("Questions"), questionnairesOf(loaded));
 }

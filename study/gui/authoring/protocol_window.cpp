@@ -270,21 +270,16 @@ void ProtocolWindow::fillInTexts() {
 
 /// Whether there is a warning on the design, and not only on blanks in texts.
 bool ProtocolWindow::hasWeaknesses() const {
-  const bool hasBlanks = std::ranges::any_of(
-      protocols::blanksOf(*checked_.loaded),
-      [](const protocols::Blank& blank) { return blank.text.isEmpty(); });
-  return checked_.warnings() > (hasBlanks ? 1 : 0);
+  return checked_.warnings() > (blanksLeft(*checked_.loaded) > 0 ? 1 : 0);
 }
 
 void ProtocolWindow::showVerdict() {
   const bool isUsable = checked_.loaded.has_value();
-  const bool isSound = isUsable && checked_.warnings() == 0;
   showMarked(
       *verdict_,
-      isSound    ? Mark::Good
-      : isUsable ? Mark::Warning
-                 : Mark::Bad,
-      QString::fromStdString(checked_.shortVerdict()));
+      checked_.mark(),
+      QString::fromStdString(checked_.verdict()) +
+          (checked_.mark() == Mark::Warning ? tr(". They are listed under Problems.") : QString()));
   aboutProblems_->setText(
       checked_.problems.empty() ? tr("Nothing was found.")
       : isUsable && isShipped() && hasWeaknesses()

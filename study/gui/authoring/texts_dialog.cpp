@@ -4,6 +4,7 @@
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -46,9 +47,8 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
   }
   auto* form = new QFormLayout;
   form->setVerticalSpacing(10);
+  form->setContentsMargins(0, 0, 8, 0);
   form->setRowWrapPolicy(QFormLayout::WrapAllRows);
-  form->addRow(tr("Language"), languages_);
-  form->setRowVisible(languages_, languages_->count() > 1);
   addFields(loaded, *form);
   reason_->setAccessibleName(tr("Reason for the change"));
   reason_->setObjectName(QStringLiteral("reason"));
@@ -74,6 +74,13 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
   layout->addWidget(quietLabel(
       tr("Participants read these words in the information, the consent form and at the end."),
       this));
+  auto* chosen = new QWidget(this);  // not scrolled: all below depends on it
+  auto* line = new QHBoxLayout(chosen);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->addWidget(new QLabel(tr("Language"), chosen));
+  line->addWidget(languages_, 1);
+  layout->addWidget(chosen);
+  chosen->setVisible(languages_->count() > 1);
   layout->addWidget(scroll, 1);
   layout->addWidget(progress_);
   layout->addWidget(buttons);
@@ -89,15 +96,15 @@ void TextsDialog::addFields(const protocols::LoadedProtocol& loaded, QFormLayout
   for (const auto& blank : protocols::blanksOf(loaded)) {
     words_[blank.key] = blank.text.all();
     auto* field = new QLineEdit(this);
-    const QString title = deskText(blank.title);
+    QString title = deskText(blank.title);
     field->setObjectName(QStringLiteral("text-") + QString::fromStdString(blank.key));
-    field->setAccessibleName(title);
     if (blank.key == protocols::kDurationBlank && blank.text.isEmpty()) {
       field->setText(QString::fromStdString(estimatedMinutes(loaded)));
-      field->setToolTip(tr("Estimated from the timeline"));
+      title += tr(" (estimated from the timeline)");
     } else {
       field->setText(QString::fromStdString(blank.text.in("en")));
     }
+    field->setAccessibleName(title);
     auto* label = bodyLabel(title, this);
     label->setBuddy(field);
     form.addRow(label);  // a row of its own, which is as wide as the window

@@ -27,7 +27,7 @@ std::vector<Note> notesOf(const ClassSizes& classes) {
     return {{ExportDialog::tr("Nobody is alone with their cohort and background."), Mark::Good}};
   }
   return {
-      {ExportDialog::tr("Alone with their cohort and background: %1 of %2 people")
+      {ExportDialog::tr("%1 of %2 people can be recognised by their cohort and background")
            .arg(classes.peopleInSmallClasses)
            .arg(classes.people),
        Mark::Warning,
@@ -60,7 +60,7 @@ Note noteOf(const NameSearchResult& named) {
              .arg(where.join(QStringLiteral(", ")))}};
   }
   return {
-      ExportDialog::tr("No name that the study keeps apart is in these data."),
+      ExportDialog::tr("No participant's name was found in these data."),
       Mark::Good,
       {ExportDialog::tr("Names of other people were not searched for.") + QLatin1Char(' ') +
        advice}};
@@ -110,6 +110,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   reason_->setObjectName(QStringLiteral("reason"));
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("data")));
   earlierExport_->startIn(folderBeside(folder_));
+  earlierExport_->setHint(tr("optional"));
   form().addRow(tr("For whom"), audience_);
   form().addRow(tr("Smallest group of people"), smallestGroup_);
   form().addRow(tr("Reason for unblinding"), reason_);
@@ -120,7 +121,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(QString(), traces_);
   form().addRow(tr("To a new folder"), target_);
   form().addRow(tr("Earlier export"), earlierExport_);
-  aboutEarlier_ = addHint(tr("Optional: conditions get the same codes as there."));
+  aboutEarlier_ = addHint(tr("Conditions get the same codes as there."));
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(smallestGroup_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);

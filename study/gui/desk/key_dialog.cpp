@@ -39,7 +39,7 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason"));
   reason_->setPlaceholderText(tr("who gets it: it goes into the audit trail"));
-  form().addRow(tr("What"), task_);
+  form().addRow(tr("Action"), task_);
   form().addRow(tr("Reason"), reason_);
   form().addRow(tr("New file"), target_);
   form().addRow(tr("File of the key"), source_);

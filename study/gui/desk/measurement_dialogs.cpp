@@ -81,10 +81,8 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   form().addRow(tr("Which cut"), cut_);
   form().addRow(tr("Largest slope"), slope_);
   form().addRow(quietLabel(
-      tr("If parts of the cut are steeper, they are made gentler, and a steep peak is lost. %1 is "
-         "the largest "
-         "stiffness in the cuts of the punch paper, for which its device can be kept stable. "
-         "Choose a larger one to keep the recorded shape.")
+      tr("Steeper parts of the cut are flattened to it. %1 is the largest stiffness in the cuts of "
+         "the punch paper, at which its device stays stable.")
           .arg(usualSlope),
       this));
   form().addRow(tr("To a new file"), target_);
@@ -258,10 +256,18 @@ void FitMaterialDialog::work() {
   if (fitted->isSynthetic) {
     notes.push_back({tr("Synthetic: nobody measured these series."), Mark::Warning});
   }
+  constexpr double kPoor = 0.1;
+  for (const auto& test : fitted->tests) {
+    if (std::max({test.minimum, test.average, test.maximum}) <= kPoor) continue;
+    notes.push_back(
+        {tr("%1: a curve misses its series by more than 10 %.").arg(asText(test.name)),
+         Mark::Warning});
+  }
   for (const auto& file : fitted->leftOut) {
     notes.push_back({tr("Left out: %1").arg(asText(file)), Mark::Warning});
   }
   showWrittenFile(target_->path(), tr("Material saved: %1").arg(target_->path()), notes);
+  runButton().setText(tr("Fit again"));
 }
 
 void FitMaterialDialog::showResult(const FittedMaterial& fitted) {
@@ -272,7 +278,8 @@ void FitMaterialDialog::showResult(const FittedMaterial& fitted) {
   };
   DataTable table{
       .name = "material-errors",
-      .description = tr("Largest error of the force curves [N]").toStdString(),
+      .description =
+          tr("Largest error of the force curves [%], of the force there or of 10 N").toStdString(),
       .columns =
           {words(tr("Test set")),
            number(tr("Series")),
@@ -286,9 +293,9 @@ void FitMaterialDialog::showResult(const FittedMaterial& fitted) {
         {test.name,
          std::to_string(test.series),
          cell(1000.0 * test.depth, 2),
-         cell(test.minimum, 1),
-         cell(test.average, 1),
-         cell(test.maximum, 1)});
+         cell(100.0 * test.minimum, 1),
+         cell(100.0 * test.average, 1),
+         cell(100.0 * test.maximum, 1)});
   }
   result_->show({}, {table});
 }

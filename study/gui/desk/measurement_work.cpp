@@ -83,9 +83,9 @@ FittedMaterial resultOf(const reaming::MaterialFit& fit, bool isSynthetic) {
         {.name = std::string(nameOf(set.set)),
          .series = set.used,
          .depth = set.scale,
-         .minimum = set.force.minimum.error.largest,
-         .average = set.force.average.error.largest,
-         .maximum = set.force.maximum.error.largest});
+         .minimum = set.force.minimum.error.floored,
+         .average = set.force.average.error.floored,
+         .maximum = set.force.maximum.error.floored});
   }
   for (const auto& series : fit.series) {
     if (!series.exclusion.isExcluded()) continue;

@@ -30,7 +30,7 @@ struct FittedTest {
   std::string name;
   int series = 0;      ///< that were used
   double depth = 0.0;  ///< [m] to which they go
-  // The largest error of each curve [N].
+  // The largest error of each curve, as a share of the force there, or of 10 N if that is more.
   double minimum = 0.0;
   double average = 0.0;
   double maximum = 0.0;

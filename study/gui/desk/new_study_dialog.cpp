@@ -135,11 +135,7 @@ void NewStudyDialog::showChecked() {
   fillButton_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
   updateButton();
   if (source().isEmpty()) return clear();
-  const bool isSound = checked_.loaded.has_value();
-  showOutcome(
-      isSound ? (checked_.warnings() > 0 ? Outcome::Warning : Outcome::Good) : Outcome::Bad,
-      QString::fromStdString(checked_.verdict()),
-      checked_.problemsInWords());
+  showOutcome(checked_.mark(), QString::fromStdString(checked_.verdict()), checked_.notes());
 }
 
 void NewStudyDialog::updateButton() {

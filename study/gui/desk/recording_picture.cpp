@@ -281,11 +281,11 @@ QTableWidget* landmarkTable(QWidget* parent) {
 QString describeChange(const haptics::recordings::ImportedCut& imported) {
   const auto& [cut, report] = imported;
   if (!report.isAltered()) {
-    return CutPlot::tr("The cut keeps the shape of the recording: %1.").arg(peakInWords(report));
+    return CutPlot::tr("No part of this cut is that steep: it keeps the recorded shape.");
   }
   return CutPlot::tr(
              "The cut is not what was recorded: %1. Slopes above %2 N per travel unit are limited; "
-             "the recording rises by up to %3.")
+             "the recording rises by up to %3. A larger slope keeps the recorded shape.")
       .arg(peakInWords(report))
       .arg(cut.provenance.slopeLimit.value_or(0.0), 0, 'f', 2)
       .arg(report.steepness, 0, 'f', 2);
@@ -332,7 +332,7 @@ CutPlot::CutPlot(QWidget* parent)
     graph->setLineStyle(line);
     graph->setScatterStyle(dots);
   };
-  add(tr("recorded"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssDisc, 5));
+  add(tr("recorded"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssCircle, 6));
   add(tr("the cut"), QCPGraph::lsLine, QCPScatterStyle::ssNone);
   add(tr("landmarks"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssDiamond, 9));
   auto* layout = new QVBoxLayout(this);

@@ -148,13 +148,17 @@ void VerifyDialog::work() {
   Verification verification;
   std::size_t missing = 0;
   const bool isDone = BackgroundTask::run(
-      this, tr("Verifying"), MessageTopic::StudyNotVerified, [&](const Progress& progress) {
+      this,
+      tr("Verifying the study"),
+      MessageTopic::StudyNotVerified,
+      [&](const Progress& progress) {
         auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
         verification = verify(study, progress);
         missing = headsMissingIn(study);
       });
   if (!isDone) return clear();
   form().setRowVisible(restored_, missing > 0);
+  runButton().setText(tr("Verify again"));
   const auto checks = notesOf(verification);
   if (verification.isSound()) {
     showOutcome(Outcome::Good, tr("All data are unchanged."), checks);

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "protocols/model/loaded_protocol.h"
+#include "study/gui/authoring/checked_protocol.h"
 #include "study/gui/session/station_push.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
@@ -50,10 +51,12 @@ void fill(StudySummary& summary) {
   const auto& metadata = study.protocol().protocol.study;
   summary.title = metadata.title;
   const auto name = metadata.id + " " + metadata.version;
-  summary.protocol =
-      current.frozenUtc
-          ? said("Protocol: {}, fixed since {}", name, current.frozenUtc->substr(0, 10))
-          : said("Protocol: {}, can still be changed", name);
+  summary.protocol = current.frozenUtc
+                         ? said(
+                               "Protocol: {}, in use since {}; a change makes a new version",
+                               name,
+                               current.frozenUtc->substr(0, 10))
+                         : said("Protocol: {}, can still be changed", name);
   summary.hasBegun = current.frozenUtc.has_value();
   for (const auto& row : study.sessions().all()) {
     if (row.state == SessionState::Erased) continue;
@@ -62,9 +65,7 @@ void fill(StudySummary& summary) {
   }
   summary.unfinished = unfinishedSessions(study);
   summary.lacksKeyBackup = hasOnlyCopyOfKey(study);
-  const auto blanks = protocols::blanksOf(study.protocol());
-  summary.blanks = static_cast<std::size_t>(std::ranges::count_if(
-      blanks, [](const protocols::Blank& blank) { return blank.text.isEmpty(); }));
+  summary.blanks = blanksLeft(study.protocol());
   fillCohorts(study, summary);
   fillArrivals(study, summary);
 }

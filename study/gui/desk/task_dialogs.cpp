@@ -61,13 +61,7 @@ void AmendDialog::check() {
   const auto path = file_->path().toStdString();
   if (!path.empty()) {
     checked_ = checkProtocol(path);
-    const bool isSound = checked_.loaded.has_value();
-    showOutcome(
-        !isSound                  ? Outcome::Bad
-        : checked_.warnings() > 0 ? Outcome::Warning
-                                  : Outcome::Good,
-        QString::fromStdString(checked_.verdict()),
-        checked_.notes());
+    showOutcome(checked_.mark(), QString::fromStdString(checked_.verdict()), checked_.notes());
   }
   updateButton();
 }
@@ -261,7 +255,17 @@ void StatisticsDialog::showResults() {
   result_->setVisible(section_.has_value());
   if (section_) {
     const auto profile = static_cast<Profile>(profile_->currentData().toInt());
-    result_->show(report::answerInWords(*section_), report::statisticsTables(*section_, profile));
+    auto answer = report::answerInWords(*section_);
+    const bool isCorrected =
+        std::ranges::any_of(section_->results.families, [](const FamilyResult& family) {
+          return family.family.correction != protocols::CorrectionType::None;
+        });
+    if (isCorrected) {
+      answer.caveats.push_back(
+          said("Intervals are those of one comparison, not adjusted for several: where they and "
+               "the adjusted p differ, the words go by the adjusted p."));
+    }
+    result_->show(answer, report::statisticsTables(*section_, profile));
   }
   showNotice(Mark::Warning, section_ ? asText(report::originInWords(*section_)) : QString());
   fit();

@@ -14,6 +14,7 @@
 #include <QShowEvent>
 #include <QVBoxLayout>
 
+#include "haptics/models/interpolation.h"
 #include "protocols/load_protocol.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/travel_plot.h"
@@ -194,7 +195,7 @@ QWidget* Tour::makeTrialDemonstration() {
   constexpr int kLeastOfPage = 520;  // [px]
   page_->setMinimumHeight(kLeastOfPage);
   auto* drawings = new QVBoxLayout;
-  drawings->addWidget(sectionLabel(tr("What your fingers would feel"), step));
+  drawings->addWidget(sectionLabel(tr("Force and travel of your hand"), step));
   drawings->addWidget(plot_, 1);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(20);
@@ -204,7 +205,9 @@ QWidget* Tour::makeTrialDemonstration() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(quietLabel(
       tr("On a real punch your fingers would feel the force; here it is only drawn. It is computed "
-         "a thousand times a second, as in a study. It drops where the tissue gives way."),
+         "a thousand times a second, as in a study. It drops where the tissue gives way, and is "
+         "flat at %1 N, to which the published code limits it.")
+          .arg(haptics::models::Interpolation<double>::kAuthorsMaxForce),
       step));
   layout->addLayout(columns, 1);
   connect(page_, &TrialPage::beginRequested, this, &Tour::begin);
@@ -297,7 +300,10 @@ void Tour::goTo(int step) {
   count_->setText(tr("Step %1 of %2").arg(step + 1).arg(kTourSteps));
   heading_->setText(deskText(kHeadings[step]));
   back_->setEnabled(step > 0);
-  next_->setText(step + 1 < kTourSteps ? tr("Next") : tr("Begin with a study"));
+  next_->setText(
+      step == 0 && !trialRecord_ ? tr("Skip")
+      : step + 1 < kTourSteps    ? tr("Next")
+                                 : tr("Begin with a study"));
   // In the first step the button of the participant's page is the one to press.
   setRole(*next_, step > 0 ? "main" : "");
 }
@@ -359,7 +365,7 @@ void Tour::showRecord() {
     add(tr("First cut: touched the tissue at"), inUnits(touched, "units of travel"));
   }
   if (felt.lateTicks) {
-    add(tr("Timing"), tr("%1 of %2 ticks late").arg(*felt.lateTicks).arg(felt.ticks));
+    add(tr("Timing"), tr("%1 of %2 force updates late").arg(*felt.lateTicks).arg(felt.ticks));
   }
   const auto judgement = felt.judgement();
   QStringList words{deskText(nameOf(judgement.verdict)).toUpper()};

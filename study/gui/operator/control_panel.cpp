@@ -228,7 +228,7 @@ void ControlPanel::refresh() {
   const bool isOpen = controller_ != nullptr;
   const bool isRunning = isOpen && controller_->isTrialRunning();
   stop_->setEnabled(isRunning);
-  now_->setText(isRunning ? tr("Now: once the trial has ended") : tr("Now"));
+  now_->setText(isRunning ? tr("Possible once this trial has ended:") : tr("Now"));
   for (const auto& choice : choices_) {
     // During a trial only stopping and withdrawing are possible.
     const bool isAllowed = isOpen && controller_->session().allows(choice.event);

@@ -141,7 +141,6 @@ QWidget* OperatorWindow::makeHead() {
   title->setProperty("role", QStringLiteral("heading"));
   lines->addWidget(title);
   lines->addWidget(devices_);
-  if (auto* remark = graphicsRemark(protocol, head)) lines->addWidget(remark);
   return head;
 }
 
@@ -246,7 +245,7 @@ void OperatorWindow::begin(Session session) {
       Qt::QueuedConnection);
   trial_->setController(controller_.get());
   controls_->setController(controller_.get());
-  mirror_->setPage(participant_.get());
+  mirror_->setPage(participant_.get(), controller_->session().participant());
   languages_->menuAction()->setEnabled(false);  // until the session's end
   pages_->setCurrentIndex(1);
   updateAll();

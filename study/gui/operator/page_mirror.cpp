@@ -11,7 +11,8 @@ constexpr int kPictureEvery = 1000;  // [ms]
 
 }  // namespace
 
-PageMirror::PageMirror(QWidget* parent) : QWidget(parent, Qt::Tool), picture_(new QLabel(this)) {
+PageMirror::PageMirror(QWidget* parent)
+    : QWidget(parent, Qt::Tool), picture_(new QLabel(this)), heading_(bodyLabel({}, this)) {
   setWindowTitle(tr("Participant's page"));
   setObjectName(QStringLiteral("mirror"));
   setAttribute(Qt::WA_ShowWithoutActivating);
@@ -20,14 +21,19 @@ PageMirror::PageMirror(QWidget* parent) : QWidget(parent, Qt::Tool), picture_(ne
   picture_->setAccessibleName(windowTitle());
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 8);
-  layout->addWidget(quietLabel(tr("What the participant sees, to look at only"), this));
+  heading_->setProperty("role", QStringLiteral("section"));
+  layout->addWidget(heading_);
   layout->addWidget(picture_, 1);
+  setPage(nullptr);
   resize(640, 440);
   connect(&timer_, &QTimer::timeout, this, &PageMirror::refreshPicture);
 }
 
-void PageMirror::setPage(QWidget* page) {
+void PageMirror::setPage(QWidget* page, const std::string& participant) {
   page_ = page;
+  const auto what = tr("Participant's screen (view only)");
+  heading_->setText(
+      page == nullptr ? what : QString::fromStdString(participant) + QStringLiteral(" · ") + what);
   refreshPicture();
 }
 

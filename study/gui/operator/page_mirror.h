@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <QLabel>
 #include <QPointer>
 #include <QTimer>
@@ -15,8 +17,8 @@ class PageMirror final : public QWidget {
  public:
   explicit PageMirror(QWidget* parent);
 
-  /// Shows @p page, a window; nullptr: nothing.
-  void setPage(QWidget* page);
+  /// Shows @p page, the window of @p participant; nullptr: nothing.
+  void setPage(QWidget* page, const std::string& participant = {});
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -27,6 +29,7 @@ class PageMirror final : public QWidget {
 
   QPointer<QWidget> page_;
   QLabel* picture_;
+  QLabel* heading_;
   QTimer timer_;
 };
 

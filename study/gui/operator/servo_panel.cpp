@@ -146,14 +146,14 @@ void ServoPanel::showTimingStatus() {
   QString words;
   if (isOftenLate(late, ticks) || health_.invalidShare() > kMostInvalid) {
     setRole(*light_, "bad");
-    words = tr("✖ Timing: poor (%1 of %2 ticks late)").arg(late).arg(ticks);
+    words = tr("✖ Timing: poor (%1 of %2 force updates late)").arg(late).arg(ticks);
   } else {
     setRole(*light_, saturated > 0 || leaps > 0 ? "warn" : "good");
-    words = late > 0 ? tr("● Timing: good (%1 of %2 ticks late)").arg(late).arg(ticks)
-                     : tr("● Timing: good (none of %1 ticks late)").arg(ticks);
+    words = late > 0 ? tr("● Timing: good (%1 of %2 force updates late)").arg(late).arg(ticks)
+                     : tr("● Timing: good (none of %1 force updates late)").arg(ticks);
   }
   if (saturated > 0) {
-    words += QStringLiteral(" · ") + tr("force at its limit in %1 ticks").arg(saturated);
+    words += QStringLiteral(" · ") + tr("force at its limit in %1 updates").arg(saturated);
   }
   if (leaps > 0) {
     words += QStringLiteral(" · ") +

@@ -43,7 +43,7 @@ QString stateNow(const SessionController& controller) {
 TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
   setObjectName(QStringLiteral("timeline"));
   setAccessibleName(tr("Steps of the session"));
-  setHorizontalHeaderLabels({tr("#"), tr("Step"), tr("Kind"), tr("Attempts"), tr("State")});
+  setHorizontalHeaderLabels({tr("#"), tr("Step"), tr("Kind"), tr("Attempts"), tr("Status")});
   horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

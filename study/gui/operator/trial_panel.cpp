@@ -47,12 +47,12 @@ TrialPanel::TrialPanel(QWidget* parent)
   cutCount_->setWordWrap(false);
   health_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   health_->setMinimumHeight(36);
-  constexpr int kTwoCuts = 92;  // [px]
+  constexpr int kThreeCuts = 122;  // [px]
   constexpr int kFiveCuts = 180;
-  cuts_->setMinimumHeight(kTwoCuts);
+  cuts_->setMinimumHeight(kThreeCuts);
   cuts_->setMaximumHeight(kFiveCuts);
-  constexpr int kThreeSteps = 126;  // [px]
-  steps_->setMinimumHeight(kThreeSteps);
+  constexpr int kFiveSteps = 184;  // [px]
+  steps_->setMinimumHeight(kFiveSteps);
   // These take all free space and ignore their size hints, which are too large for a low
   // screen.
   const std::array<QWidget*, 4> yielding{steps_, plot_, travel_, cuts_};
@@ -167,12 +167,12 @@ void TrialPanel::updateTrial() {
   const auto scale = travelScaleOf(kind);
   const int asked = controller_->session().step().minimumCuts;
   cutCount_->show();
-  cutCount_->setText(tr("%1 %2 of %3")
-                         .arg(asText(kind.strokeName.in(deskLanguage())))
+  cutCount_->setText(tr("%1 of %2 %3")
                          .arg(status.cuts)
-                         .arg(asked));
+                         .arg(asked)
+                         .arg(asText(kind.strokesName.in(deskLanguage()))));
   numbers_->setText(
-      tr("%1 N at %2 %3")
+      tr("Force %1 N · travel %2 %3")
           .arg(shownNumber(status.force))
           .arg(shownNumber(scale.factor * status.travel))
           .arg(scale.unit) +

@@ -54,7 +54,7 @@ void ColourLegend::showDensity(const DensityRange& range) {
   setScale(
       tr("Pressure at which the bone gives way, as felt [%1]").arg(name),
       marks,
-      tr("From %1 %3 (dark violet) to %2 %3 (yellow). At most one sphere in fifty lies beyond each "
+      tr("From %1 %3 (violet) to %2 %3 (yellow). At most one sphere in fifty lies beyond each "
          "end.")
           .arg(marks.front(), marks.back(), name));
 }
@@ -63,7 +63,7 @@ void ColourLegend::showRemoval() {
   tint_ = removalTint;
   hasUntouched_ = true;
   setScale(
-      tr("Taken by the reamer, of a sphere's radius [%]"),
+      tr("Share of each sphere's radius removed [%]"),
       {QStringLiteral("0"),
        QStringLiteral("25"),
        QStringLiteral("50"),

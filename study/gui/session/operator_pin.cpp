@@ -69,7 +69,7 @@ PinDialog::PinDialog(QWidget* parent)
   auto* words = addBoxWords(
       *layout,
       MessageRow::Kind::Question,
-      tr("With which PIN do you come back to your window?"),
+      tr("Choose a PIN to get your window back"),
       {tr("The participant gets the whole screen until the PIN is typed. The session goes on, and "
           "answers are saved as before."),
        tr("The PIN is valid until the program ends, and is not saved.")},
@@ -82,7 +82,7 @@ PinDialog::PinDialog(QWidget* parent)
   auto* buttons = new QDialogButtonBox(this);
   handOver_ = buttons->addButton(tr("Hand over"), QDialogButtonBox::AcceptRole);
   handOver_->setProperty("role", QStringLiteral("main"));
-  buttons->addButton(tr("Keep the screen"), QDialogButtonBox::RejectRole);
+  buttons->addButton(tr("Do not hand over"), QDialogButtonBox::RejectRole);
   layout->addWidget(buttons);
   for (auto* line : {first_, second_}) {
     connect(line, &QLineEdit::textChanged, this, &PinDialog::judge);

@@ -9,7 +9,6 @@
 #include "study/gui/scene/hip_scene.h"
 #include "study/gui/scene/knee_scene.h"
 #include "study/gui/widgets/desk_language.h"
-#include "study/gui/widgets/labels.h"
 #include "study/session/trial_setup.h"
 
 namespace study::gui {
@@ -109,16 +108,6 @@ bool isAnyTrialVisualised(const protocols::Protocol& protocol) {
          std::any_of(protocol.phases.begin(), protocol.phases.end(), [](const auto& phase) {
            return phase.trials.isVisualised.value_or(false);
          });
-}
-
-QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent) {
-  if (!isAnyTrialVisualised(protocol)) return nullptr;
-  const QString remark = scene::makeRenderer().remark;
-  if (remark.isEmpty()) return nullptr;
-  auto* line = quietLabel(remark.section(QStringLiteral(". "), 0, 0) + QLatin1Char('.'), parent);
-  line->setToolTip(remark);  // includes advice
-  line->setObjectName(QStringLiteral("graphics-remark"));
-  return line;
 }
 
 }  // namespace study::gui

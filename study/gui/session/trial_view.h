@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QLabel>
-
 #include "protocols/model/protocol.h"
 #include "study/gui/scene/simulation_view.h"
 #include "study/gui/session/session_controller.h"
@@ -20,9 +18,5 @@ QString viewInWords(const SessionController& controller);
 
 /// Whether any trial of @p protocol is visualised.
 bool isAnyTrialVisualised(const protocols::Protocol& protocol);
-
-/// A label for the operator about the renderer, with advice as its tool tip; nullptr if a graphics
-/// card draws or if @p protocol visualises nothing.
-QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent);
 
 }  // namespace study::gui

@@ -1,6 +1,9 @@
 #include "study/gui/widgets/findings_table.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
 
 #include <QHeaderView>
 
@@ -16,8 +19,14 @@ using haptics::devices::Finding;
 QString describe(const FindingLine& line) {
   if (!line.isTested) return FindingsTable::tr("– not tested");
   return line.found.finding == Finding::Pass   ? FindingsTable::tr("✓ good")
-         : line.found.finding == Finding::Warn ? FindingsTable::tr("! look at it")
+         : line.found.finding == Finding::Warn ? FindingsTable::tr("! could be better")
                                                : FindingsTable::tr("✕ fix it");
+}
+
+/// What comes first has the lower rank: the worst, and what was not tested at the end.
+using Rank = std::pair<int, bool>;
+Rank rankOf(const FindingLine& line) {
+  return {-static_cast<int>(line.found.finding), !line.isTested};
 }
 
 }  // namespace
@@ -37,12 +46,23 @@ FindingsTable::FindingsTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   heads->setSectionResizeMode(3, QHeaderView::Stretch);
   // A scroll bar that appears leaves the columns less room, and the rows then need more.
   connect(heads, &QHeaderView::sectionResized, this, &QTableWidget::resizeRowsToContents);
+  connect(verticalHeader(), &QHeaderView::sectionResized, this, &FindingsTable::fitHeight);
+}
+
+/// No higher than its rows need.
+void FindingsTable::fitHeight() {
+  setMaximumHeight(
+      horizontalHeader()->sizeHint().height() + verticalHeader()->length() + 2 * frameWidth());
 }
 
 void FindingsTable::show(std::vector<FindingLine> lines, bool hasDetails) {
-  std::ranges::stable_sort(lines, [](const FindingLine& one, const FindingLine& other) {
-    return one.found.finding > other.found.finding ||
-           (one.found.finding == other.found.finding && one.isTested && !other.isTested);
+  std::map<std::string, Rank> ofParts;
+  for (const auto& line : lines) {
+    auto& best = ofParts.try_emplace(line.part, rankOf(line)).first->second;
+    best = std::min(best, rankOf(line));
+  }
+  std::ranges::stable_sort(lines, {}, [&](const FindingLine& line) {
+    return std::tuple(ofParts.at(line.part), line.part, rankOf(line));
   });
   clearSpans();
   setRowCount(static_cast<int>(lines.size()));
@@ -71,6 +91,7 @@ void FindingsTable::show(std::vector<FindingLine> lines, bool hasDetails) {
     if (lines[static_cast<std::size_t>(first)].part != line.part) first = row;
     if (row > first) setSpan(first, 0, row - first + 1, 1);
   }
+  fitHeight();
 }
 
 }  // namespace study::gui

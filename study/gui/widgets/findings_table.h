@@ -17,7 +17,10 @@ struct FindingLine {
   bool isTested = true;   ///< false: there was nothing to test
 };
 
-/// Findings as a table, the worst first, each with what to do.
+constexpr int kAllThereIs = 1000;  ///< stretch: a table takes what its rows need, the rest is empty
+
+/// Findings as a table, each with what to do: the part with the worst finding first, and in it the
+/// worst.
 class FindingsTable final : public QTableWidget {
   Q_OBJECT
 
@@ -26,6 +29,9 @@ class FindingsTable final : public QTableWidget {
 
   void show(std::vector<FindingLine> lines, bool hasDetails = false);
   using QWidget::show;
+
+ private:
+  void fitHeight();
 };
 
 }  // namespace study::gui

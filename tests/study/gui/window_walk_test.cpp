@@ -100,7 +100,7 @@ class Windows {
          [] {
            return make<MessageBox>(
                MessageTopic::RepeatStep,
-               QStringLiteral("5|Round 1: Alternative 2").split('|'),
+               QStringLiteral("7|Round 1: Alternative 2").split('|'),
                QString());
          }},
         {"NewStudyDialog", [] { return make<NewStudyDialog>(); }},

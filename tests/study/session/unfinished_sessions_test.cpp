@@ -48,7 +48,7 @@ TEST_F(UnfinishedSessionsTest, OfferOnlyTheOtherProgramWhileASessionIsOpenThere)
 TEST_F(UnfinishedSessionsTest, DoNotOfferToSkipConsent) {
   { const auto session = Session::enrol(*study_, {.cohort = "surgeons"}); }
   const auto found = look();
-  EXPECT_TRUE(offers(found, "Go on in this step"));
+  EXPECT_TRUE(offers(found, "Continue in this step"));
   EXPECT_TRUE(offers(found, "the participant wants to"));
   EXPECT_FALSE(offers(found, "Skip"));
   EXPECT_FALSE(offers(found, "repeat"));
@@ -65,8 +65,8 @@ TEST_F(UnfinishedSessionsTest, ReportATrialThatWasNotEnded) {
   EXPECT_NE(describe(found).find("counts as broken off"), std::string::npos) << describe(found);
   EXPECT_TRUE(offers(found, "Repeat the trial"));
   EXPECT_TRUE(offers(found, "Skip the trial"));
-  EXPECT_TRUE(offers(found, "End it because the device failed"));
-  EXPECT_FALSE(offers(found, "Go on in this step"));
+  EXPECT_TRUE(offers(found, "Device failed: end it"));
+  EXPECT_FALSE(offers(found, "Continue in this step"));
 }
 
 TEST_F(UnfinishedSessionsTest, OfferExactlyTheAllowedEvents) {

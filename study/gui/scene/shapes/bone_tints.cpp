@@ -94,9 +94,9 @@ Tint inTheGap(Tint tint, float openness) {
 
 Tint scaleTint(float share) {
   constexpr std::array kViridis{
-      Tint{72, 38, 119, 35},
-      Tint{59, 82, 139, 35},
-      Tint{33, 145, 140, 35},
+      Tint{104, 85, 173, 35},
+      Tint{72, 120, 182, 35},
+      Tint{33, 155, 150, 35},
       Tint{94, 201, 98, 35},
       Tint{253, 231, 37, 35}};
   return along(kViridis, share);

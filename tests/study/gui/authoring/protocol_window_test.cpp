@@ -20,6 +20,7 @@
 #include "protocols/load_protocol.h"
 #include "study/gui/authoring/timeline_bar.h"
 #include "study/gui/widgets/message_box.h"
+#include "study/gui/widgets/result_table.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "study/session/session_length.h"
 #include "tests/study/gui/pictures.h"
@@ -113,6 +114,11 @@ TEST_F(ProtocolWindowTest, ShowsTheOrderOfEachParticipant) {
         shown[i].toStdString(),
         std::to_string(trial.label) + " " + protocol.condition(trial.condition)->title);
   }
+  const auto* balance = window.findChild<ResultTable*>();
+  EXPECT_TRUE(
+      balance->item(0, 1)->text().startsWith(QStringLiteral("Round 1  ·  Balance: balanced")))
+      << balance->item(0, 1)->text().toStdString();
+  EXPECT_EQ(balance->item(1, 3)->text(), QStringLiteral("4 · 4 · 4"));
   tests::photographInAllThemes(window, QStringLiteral("orders"));
 }
 
@@ -183,7 +189,8 @@ TEST_F(ProtocolWindowTest, NamesPartsOfAProtocolByTheirTitles) {
   EXPECT_EQ(
       checked.placeInWords("consent-punch $.introduction"),
       QStringLiteral("Consent › introduction"));
-  const auto words = checked.problemsInWords();
+  QString words;
+  for (const auto& note : checked.notes()) words += note.text;
   EXPECT_TRUE(words.contains(QStringLiteral("'KF'"))) << words.toStdString();
   EXPECT_FALSE(words.contains(QStringLiteral("'kalman'"))) << words.toStdString();
 }
@@ -199,7 +206,8 @@ TEST_F(ProtocolWindowTest, ListsErrorsBeforeWarnings) {
       "",
       std::nullopt,
       {problem(Severity::Warning, "weak"), problem(Severity::Error, "wrong")});
-  EXPECT_EQ(broken.problemsInWords(), QStringLiteral("✕  wrong\n!  weak"));
+  ASSERT_EQ(broken.notes().size(), 2U);
+  EXPECT_EQ(broken.notes().front().text, QStringLiteral("Wrong"));
   EXPECT_EQ(broken.notes().front().mark, Mark::Bad);
 }
 

@@ -202,9 +202,9 @@ TEST_F(HomeTest, CreatesAStudyAfterItsProtocolWasCorrected) {
   dialog->findChild<PathField*>(QStringLiteral("folder"))->setPath(folder);
   auto* go = dialog->findChild<QPushButton*>(QStringLiteral("go"));
   EXPECT_FALSE(go->isEnabled());
-  EXPECT_EQ(
-      dialog->findChild<NoteList*>(QStringLiteral("more"))->text(),
-      checkProtocol(file).problemsInWords());
+  EXPECT_TRUE(dialog->findChild<NoteList*>(QStringLiteral("more"))
+                  ->text()
+                  .contains(checkProtocol(file).notes().front().text));
   EXPECT_EQ(
       dialog->findChild<QLabel*>(QStringLiteral("obstacle"))->text(),
       QStringLiteral("The protocol has errors."));
@@ -474,8 +474,7 @@ TEST_F(HomeTest, OffersToResumeAfterACrash) {
   QString words;
   for (auto* label : card->findChildren<QLabel*>()) words += label->text();
   EXPECT_TRUE(words.contains(QStringLiteral("Repeat the trial"))) << words.toStdString();
-  EXPECT_TRUE(words.contains(QStringLiteral("End it because the device failed")))
-      << words.toStdString();
+  EXPECT_TRUE(words.contains(QStringLiteral("Device failed: end it"))) << words.toStdString();
   tests::photographInAllThemes(home, QStringLiteral("home-crashed"));
   QTest::mouseClick(buttonSaying(card, QStringLiteral("Continue with P001")), Qt::LeftButton);
   ASSERT_NE(home.operatorWindow(), nullptr);

@@ -114,7 +114,7 @@ TEST_F(MeasurementTest, WarnsBeforeAndAfterSavingACutThatLosesItsPeak) {
   EXPECT_EQ(slope->value(), haptics::recordings::ImportOptions{}.maxSlope);
   EXPECT_TRUE(dialog.findChild<CutPlot*>()->isVisible());
   const auto* change = dialog.findChild<QLabel*>(QStringLiteral("cut-change"));
-  EXPECT_TRUE(change->text().startsWith(QStringLiteral("The cut keeps")))
+  EXPECT_TRUE(change->text().startsWith(QStringLiteral("No part of this cut is that steep")))
       << change->text().toStdString();
   const auto* landmarks = dialog.findChild<QTableWidget*>(QStringLiteral("cut-landmarks"));
   ASSERT_EQ(landmarks->rowCount(), 4);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QHeaderView>
 #include <QTest>
 
 #include "protocols/load_protocol.h"
@@ -109,6 +110,21 @@ TEST_F(StudySelfTest, TestsTheDevicesOfTheDeviceFile) {
     knowsPunch |= line.part == "devices" && line.found.what.starts_with("punch: ");
   }
   EXPECT_TRUE(knowsPunch) << lines.front().found.measured;
+}
+
+TEST_F(StudySelfTest, ListsEachPartOnceAndTheOneWithTheWorstFindingFirst) {
+  FindingsTable table(nullptr);
+  table.show(
+      {{"screen", {Finding::Pass, "desk", "1920 × 1080", ""}},
+       {"timing", {Finding::Fail, "clock", "late", "mend"}},
+       {"screen", {Finding::Warn, "second", "none", "connect"}}});
+  table.resize(900, 700);
+  table.QWidget::show();
+  EXPECT_EQ(table.item(0, 0)->text(), QStringLiteral("Timing"));
+  EXPECT_EQ(table.item(1, 2)->text(), QStringLiteral("Second"));
+  EXPECT_EQ(table.rowSpan(1, 0), 2);
+  QTest::qWait(1);
+  EXPECT_EQ(table.viewport()->height(), table.verticalHeader()->length()) << "no empty row";
 }
 
 TEST_F(StudySelfTest, ShowsOneLineForEachPart) {

@@ -182,6 +182,11 @@ TEST_F(StudyDialogsTest, StatisticsAnswerFirstAndThenShowTheDeclaredTests) {
                   ->text()
                   .contains(QStringLiteral("take all answers of a person as")))
       << "two rounds, pooled";
+  EXPECT_TRUE(dialog.findChild<NoteList*>(QStringLiteral("caveats"))
+                  ->text()
+                  .contains(QStringLiteral("not adjusted for several")));
+  const auto* rows = dialog.findChild<QTableWidget*>(QStringLiteral("results"));
+  EXPECT_EQ(rows->rowHeight(3), rows->rowHeight(2)) << "a row of one line";
   const auto expected = report::statisticsTables(section, Profile::Declared);
   EXPECT_EQ(asCsv(view.table()), asCsv(expected.front()));
   EXPECT_EQ(view.table().rows.size(), 6U) << "three pairs in each of two cohorts";

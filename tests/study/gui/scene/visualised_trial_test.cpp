@@ -116,7 +116,6 @@ TEST_F(VisualisedTrial, HasNoViewInAProtocolWithoutVisualisation) {
   EXPECT_EQ(window_->controller()->bone(), nullptr);
   window_->controller()->stop();
   EXPECT_TRUE(viewEvents().empty());
-  EXPECT_EQ(window_->findChild<QLabel*>(QStringLiteral("graphics-remark")), nullptr);
 }
 
 TEST_F(VisualisedTrial, SwitchesTheReamerByAKeyAndKeepsThatAsAnEvent) {
@@ -146,18 +145,6 @@ TEST_F(VisualisedTrial, KeepsFrameStatisticsOutOfABlindedExport) {
   };
   EXPECT_TRUE(saysView(false));
   EXPECT_FALSE(saysView(true));
-}
-
-TEST_F(VisualisedTrial, TellsTheOperatorThatTheProcessorDraws) {
-  begin("two-devices");
-  const auto* remark = window_->findChild<QLabel*>(QStringLiteral("graphics-remark"));
-  ASSERT_NE(remark, nullptr);
-  EXPECT_TRUE(remark->text().contains(QStringLiteral("drawn by the processor")));
-  EXPECT_TRUE(remark->toolTip().contains(QStringLiteral("driver")));  // advice for the operator
-  // The participant sees no remark.
-  for (const auto* label : window_->participantWindow()->findChildren<QLabel*>()) {
-    EXPECT_FALSE(label->text().contains(QStringLiteral("processor")));
-  }
 }
 
 }  // namespace visualised_trial_test
