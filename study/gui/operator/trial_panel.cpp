@@ -51,7 +51,7 @@ TrialPanel::TrialPanel(QWidget* parent)
   constexpr int kFiveCuts = 180;
   cuts_->setMinimumHeight(kThreeCuts);
   cuts_->setMaximumHeight(kFiveCuts);
-  constexpr int kFiveSteps = 184;  // [px]
+  constexpr int kFiveSteps = 190;  // [px]
   steps_->setMinimumHeight(kFiveSteps);
   // These take all free space and ignore their size hints, which are too large for a low
   // screen.

@@ -46,11 +46,11 @@ FindingsTable::FindingsTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   heads->setSectionResizeMode(3, QHeaderView::Stretch);
   // A scroll bar that appears leaves the columns less room, and the rows then need more.
   connect(heads, &QHeaderView::sectionResized, this, &QTableWidget::resizeRowsToContents);
-  connect(verticalHeader(), &QHeaderView::sectionResized, this, &FindingsTable::fitHeight);
 }
 
 /// No higher than its rows need.
-void FindingsTable::fitHeight() {
+void FindingsTable::updateGeometries() {
+  QTableWidget::updateGeometries();
   setMaximumHeight(
       horizontalHeader()->sizeHint().height() + verticalHeader()->length() + 2 * frameWidth());
 }
@@ -91,7 +91,6 @@ void FindingsTable::show(std::vector<FindingLine> lines, bool hasDetails) {
     if (lines[static_cast<std::size_t>(first)].part != line.part) first = row;
     if (row > first) setSpan(first, 0, row - first + 1, 1);
   }
-  fitHeight();
 }
 
 }  // namespace study::gui

@@ -30,8 +30,8 @@ class FindingsTable final : public QTableWidget {
   void show(std::vector<FindingLine> lines, bool hasDetails = false);
   using QWidget::show;
 
- private:
-  void fitHeight();
+ protected:
+  void updateGeometries() override;
 };
 
 }  // namespace study::gui
