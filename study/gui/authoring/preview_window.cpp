@@ -179,7 +179,7 @@ void PreviewWindow::makeBar(QVBoxLayout& layout) {
 
 /// Arranges the bar's controls in one line, or in two in a narrow window.
 void PreviewWindow::resizeEvent(QResizeEvent* event) {
-  constexpr int kRoomForOneLine = 1000;  // [px]
+  constexpr int kRoomForOneLine = 1120;  // [px]
   bar_->setDirection(
       width() >= kRoomForOneLine ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   QMainWindow::resizeEvent(event);

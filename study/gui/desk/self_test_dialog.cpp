@@ -46,8 +46,7 @@ SelfTestDialog::SelfTestDialog(SelfTestOptions order, QWidget* parent)
       quietLabel(tr("Checks devices, timing, saving and screens in a few seconds."), this));
   layout->addWidget(quietLabel(where, this));
   layout->addWidget(outcome_);
-  layout->addWidget(table_, kAllThereIs);
-  layout->addStretch(1);
+  layout->addWidget(table_, 1);
   layout->addLayout(buttons);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   connect(go_, &QPushButton::clicked, this, &SelfTestDialog::test);

@@ -47,8 +47,7 @@ FindingsDialog::FindingsDialog(
   connect(again, &QPushButton::clicked, this, [this, checkAgain] { show(checkAgain()); });
   connect(start_, &QPushButton::clicked, this, &QDialog::accept);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
-  layout->addWidget(table_, kAllThereIs);
-  layout->addStretch(1);
+  layout->addWidget(table_, 1);
   layout->addLayout(buttons);
   resize(1000, 520);
   close->setFocus();

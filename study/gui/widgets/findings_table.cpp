@@ -48,13 +48,6 @@ FindingsTable::FindingsTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   connect(heads, &QHeaderView::sectionResized, this, &QTableWidget::resizeRowsToContents);
 }
 
-/// No higher than its rows need.
-void FindingsTable::updateGeometries() {
-  QTableWidget::updateGeometries();
-  setMaximumHeight(
-      horizontalHeader()->sizeHint().height() + verticalHeader()->length() + 2 * frameWidth());
-}
-
 void FindingsTable::show(std::vector<FindingLine> lines, bool hasDetails) {
   std::map<std::string, Rank> ofParts;
   for (const auto& line : lines) {

@@ -17,8 +17,6 @@ struct FindingLine {
   bool isTested = true;   ///< false: there was nothing to test
 };
 
-constexpr int kAllThereIs = 1000;  ///< stretch: a table takes what its rows need, the rest is empty
-
 /// Findings as a table, each with what to do: the part with the worst finding first, and in it the
 /// worst.
 class FindingsTable final : public QTableWidget {
@@ -29,9 +27,6 @@ class FindingsTable final : public QTableWidget {
 
   void show(std::vector<FindingLine> lines, bool hasDetails = false);
   using QWidget::show;
-
- protected:
-  void updateGeometries() override;
 };
 
 }  // namespace study::gui

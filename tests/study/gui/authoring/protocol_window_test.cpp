@@ -115,8 +115,7 @@ TEST_F(ProtocolWindowTest, ShowsTheOrderOfEachParticipant) {
         std::to_string(trial.label) + " " + protocol.condition(trial.condition)->title);
   }
   const auto* balance = window.findChild<ResultTable*>();
-  EXPECT_TRUE(
-      balance->item(0, 1)->text().startsWith(QStringLiteral("Round 1  ·  Balance: balanced")))
+  EXPECT_TRUE(balance->item(0, 1)->text().startsWith(QStringLiteral("Felt  ·  Balance: balanced")))
       << balance->item(0, 1)->text().toStdString();
   EXPECT_EQ(balance->item(1, 3)->text(), QStringLiteral("4 · 4 · 4"));
   tests::photographInAllThemes(window, QStringLiteral("orders"));
