@@ -47,18 +47,18 @@ bool PValueWindow::contains(const LatticePoint& group1, const LatticePoint& grou
 
 namespace {
 
-constexpr std::size_t kWordBits = 64;
+constexpr std::size_t kBitsPerWord = 64;
 using Bits = std::vector<std::uint64_t>;
 
 Bits allBits(std::size_t count) {
-  Bits bits((count + kWordBits - 1) / kWordBits, 0);
+  Bits bits((count + kBitsPerWord - 1) / kBitsPerWord, 0);
   for (std::size_t i = 0; i < count; ++i)
-    bits[i / kWordBits] |= std::uint64_t{1} << (i % kWordBits);
+    bits[i / kBitsPerWord] |= std::uint64_t{1} << (i % kBitsPerWord);
   return bits;
 }
 
 bool isSet(const Bits& bits, std::size_t i) {
-  return ((bits[i / kWordBits] >> (i % kWordBits)) & 1U) != 0;
+  return ((bits[i / kBitsPerWord] >> (i % kBitsPerWord)) & 1U) != 0;
 }
 
 /// Intersects @p bits with @p other; false if the result is empty.
@@ -132,14 +132,15 @@ class SizeSearch {
       const std::vector<LatticePoint>& points2,
       const PValueWindow& window) {
     Agreement agreement;
-    agreement.forward.assign(points1.size(), Bits((points2.size() + kWordBits - 1) / kWordBits, 0));
+    agreement.forward.assign(
+        points1.size(), Bits((points2.size() + kBitsPerWord - 1) / kBitsPerWord, 0));
     agreement.backward.assign(
-        points2.size(), Bits((points1.size() + kWordBits - 1) / kWordBits, 0));
+        points2.size(), Bits((points1.size() + kBitsPerWord - 1) / kBitsPerWord, 0));
     for (std::size_t i = 0; i < points1.size(); ++i) {
       for (std::size_t j = 0; j < points2.size(); ++j) {
         if (!window.contains(points1[i], points2[j])) continue;
-        agreement.forward[i][j / kWordBits] |= std::uint64_t{1} << (j % kWordBits);
-        agreement.backward[j][i / kWordBits] |= std::uint64_t{1} << (i % kWordBits);
+        agreement.forward[i][j / kBitsPerWord] |= std::uint64_t{1} << (j % kBitsPerWord);
+        agreement.backward[j][i / kBitsPerWord] |= std::uint64_t{1} << (i % kBitsPerWord);
         agreement.isEmpty = false;
       }
     }

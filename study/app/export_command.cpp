@@ -28,7 +28,7 @@ struct ExportArguments {
   std::string folderOfCodes;
   std::string reason;
   bool isForPublic = false;
-  std::size_t smallestClass = kSmallestPublicClass;
+  std::size_t smallestClass = kSmallestPublicClassSize;
 };
 
 const std::map<std::string, ExportFormat> kFormats{
@@ -75,7 +75,7 @@ int exportAs(const ExportArguments& options) {
       .isExact = options.exact,
       .hasTexts = options.texts};
   if (!options.folderOfCodes.empty()) exportOptions.codes = codeSetOf(options.folderOfCodes);
-  if (options.isForPublic) exportOptions.publicClass = options.smallestClass;
+  if (options.isForPublic) exportOptions.publicClassSize = options.smallestClass;
   auto study = openForExport(options.folder, exportOptions);
   askForKeyIfLocked(study);
   if (!options.isForPublic && exportOptions.runMode != RunMode::Simulated) {
@@ -145,7 +145,7 @@ void addExportCommand(CLI::App& program, Action& action) {
           "At least this many participants share each published combination of age range, sex and "
           "the like; 5 or more")
       ->needs(isForPublic)
-      ->check(CLI::Range(kSmallestPublicClass, std::size_t{100'000}))
+      ->check(CLI::Range(kSmallestPublicClassSize, std::size_t{100'000}))
       ->capture_default_str();
 }
 

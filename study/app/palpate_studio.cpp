@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
   if (path.isEmpty()) {
     study::gui::HomeWindow home(devices);
     home.show();
-    if (study::gui::Tour::isNew()) home.showTour();
+    if (study::gui::Tour::isUnseen()) home.showTour();
     return QApplication::exec();
   }
   if (path.endsWith(QLatin1String(".json"))) {

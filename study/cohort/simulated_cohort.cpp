@@ -24,11 +24,11 @@ constexpr int kMostFailuresDuringStalls = 60;  // further ones while the machine
 constexpr double kImmediateFailureTime = 0.5;  // [s] from the beginning of a trial
 // consecutive immediate failures after which the device counts as broken
 constexpr int kMostImmediateFailures = 5;
-constexpr std::chrono::milliseconds kBetweenTries{500};
-constexpr std::chrono::seconds kLongestWait{30};          // until a device is connected again
-constexpr std::int64_t kBetweenParticipants = 3'600'000;  // [ms]
+constexpr std::chrono::milliseconds kPauseBetweenTries{500};
+constexpr std::chrono::seconds kLongestWait{30};               // until a device is connected again
+constexpr std::int64_t kPauseBetweenParticipants = 3'600'000;  // [ms]
 
-using Done = SimulationEvent::Kind;
+using SimulationEventKind = SimulationEvent::Kind;
 
 /// One session of a simulated participant.
 class SimulatedSession {
@@ -39,13 +39,13 @@ class SimulatedSession {
       SimulatedClock& clock,
       std::uint64_t seed,
       const SimulationCallback& acknowledge,
-      const RealtimeDevices& on)
+      const RealtimeDevices& realtimeDevices)
       : study_(study),
         session_(session),
         clock_(clock),
         acknowledge_(acknowledge),
-        devices_(on.deviceSet),
-        watch_(on.watch),
+        devices_(realtimeDevices.deviceSet),
+        watch_(realtimeDevices.watch),
         person_(
             session.protocol().protocol.simulation,
             seed,
@@ -53,8 +53,8 @@ class SimulatedSession {
             static_cast<std::uint64_t>(session.slot())),
         seed_(seed) {}
 
-  void run(int until = std::numeric_limits<int>::max()) {
-    while (!session_.isOver() && session_.stepIndex() < until) {
+  void run(int endStep = std::numeric_limits<int>::max()) {
+    while (!session_.isOver() && session_.stepIndex() < endStep) {
       const std::string phase = session_.step().phase;
       if (session_.state() == SessionState::Interrupted) {
         session_.repeatStep("a trial had been broken off");
@@ -69,7 +69,7 @@ class SimulatedSession {
         continue;
       }
       session_.step().kind == StepKind::Trial ? simulateTrial() : answerStep();
-      acknowledge_({Done::Step, session_.participant() + " " + phase + " done"});
+      acknowledge_({SimulationEventKind::Step, session_.participant() + " " + phase + " done"});
     }
   }
 
@@ -111,8 +111,8 @@ class SimulatedSession {
       const auto now = std::chrono::steady_clock::now();
       if (!waitingSince_) waitingSince_ = now;
       if (++failures_ >= kMostFailures || now - *waitingSince_ > kLongestWait) throw;
-      acknowledge_({Done::Wait, session_.participant() + " waits: " + error.what()});
-      std::this_thread::sleep_for(kBetweenTries);
+      acknowledge_({SimulationEventKind::Wait, session_.participant() + " waits: " + error.what()});
+      std::this_thread::sleep_for(kPauseBetweenTries);
       return;
     }
     waitingSince_.reset();
@@ -129,7 +129,7 @@ class SimulatedSession {
       failures_ = 0;
       immediateFailures_ = 0;
       session_.finishTrial(record);
-      acknowledge_({Done::TrialOnDevice, which + "finished"});
+      acknowledge_({SimulationEventKind::TrialOnDevice, which + "finished"});
       return;
     }
     session_.abortTrial(record);
@@ -151,26 +151,27 @@ class SimulatedSession {
                                                   std::to_string(stoodStill.count()) + " ms)"
                                             : "";
     acknowledge_(
-        {Done::TrialOnDevice,
+        {SimulationEventKind::TrialOnDevice,
          which + "broken off: " + why + machine + (isHopeless ? "; given up" : "; repeated")});
   }
 
   void answerStep() {
     const std::string phase = session_.step().phase + "/" + session_.step().condition;
     const auto items = session_.items();
-    const auto already = session_.answers();
+    const auto givenAnswers = session_.answers();
     double shown = 0.0;
     for (std::size_t i = 0; i < items.size(); ++i) {
       if (!session_.isAsked(items[i])) continue;
       const double touched = shown + person_.secondsFor(phase + "/" + items[i].id, 1.0, 8.0);
       const auto response = person_.answer(session_, items[i]);
-      const bool isThere = std::any_of(already.begin(), already.end(), [&](const auto& answer) {
-        return answer.item == items[i].id;
-      });
+      const bool isAnswered =
+          std::any_of(givenAnswers.begin(), givenAnswers.end(), [&](const auto& answer) {
+            return answer.item == items[i].id;
+          });
       if (!response) continue;
-      if (!isThere) clock_.advance(touched - shown);
+      if (!isAnswered) clock_.advance(touched - shown);
       shown = touched;
-      if (isThere) continue;
+      if (isAnswered) continue;
       session_.record(
           {.item = items[i].id,
            .response = *response,
@@ -178,7 +179,8 @@ class SimulatedSession {
            .firstTouch = touched,
            .responseTime = touched,
            .language = session_.language()});
-      acknowledge_({Done::Answer, session_.participant() + " " + phase + " " + items[i].id});
+      acknowledge_(
+          {SimulationEventKind::Answer, session_.participant() + " " + phase + " " + items[i].id});
     }
     if (session_.step().kind == StepKind::Benchmark) {
       session_.recordBenchmarkCuts(session_.step().minimumCuts);
@@ -203,12 +205,12 @@ class SimulatedSession {
 
 /// The cohort with the smallest ratio of finished participants to planned ones.
 std::string nextCohort(
-    const protocols::Protocol& protocol, const std::map<std::string, int>& have) {
+    const protocols::Protocol& protocol, const std::map<std::string, int>& finishedByCohort) {
   std::string next;
   double least = 1e300;
   for (const auto& cohort : protocol.cohorts) {
-    const auto found = have.find(cohort.id);
-    const double count = found == have.end() ? 0.0 : found->second;
+    const auto found = finishedByCohort.find(cohort.id);
+    const double count = found == finishedByCohort.end() ? 0.0 : found->second;
     const double share = count / (cohort.planned > 0 ? cohort.planned : 10);
     if (share < least) {
       least = share;
@@ -227,7 +229,7 @@ void setClockToEndOf(SessionId session, Study& study, SimulatedClock& clock) {
   clock.setWall(latest);
 }
 
-SimulatedSessionResult endingOf(const storage::SessionRow& row) {
+SimulatedSessionResult sessionResultOf(const storage::SessionRow& row) {
   return {
       .participant = row.participant,
       .state = row.state,
@@ -236,10 +238,10 @@ SimulatedSessionResult endingOf(const storage::SessionRow& row) {
       .reason = row.endReason.value_or("")};
 }
 
-SimulatedSessionResult endingOf(Study& study, const Session& session) {
+SimulatedSessionResult sessionResultOf(Study& study, const Session& session) {
   auto sessions = study.sessions();
   const SessionId id = session.visit().session;
-  auto ending = endingOf(sessions.load(id));
+  auto ending = sessionResultOf(sessions.load(id));
   for (std::size_t i = 0; i < session.plan().size(); ++i) {
     if (session.plan()[i].kind != StepKind::Trial || session.plan()[i].isOptionalTrial) continue;
     const int step = static_cast<int>(i);
@@ -260,8 +262,8 @@ void simulate(
     SimulatedClock& clock,
     std::uint64_t seed,
     const SimulationCallback& acknowledge,
-    const RealtimeDevices& on) {
-  SimulatedSession(study, session, clock, seed, acknowledge, on).run();
+    const RealtimeDevices& realtimeDevices) {
+  SimulatedSession(study, session, clock, seed, acknowledge, realtimeDevices).run();
 }
 
 void simulateUntil(
@@ -293,12 +295,12 @@ std::vector<SimulatedSessionResult> simulateCohorts(
   for (const auto& row : study.sessions().all()) {
     if (row.runMode != RunMode::Simulated) continue;
     if (isOver(row.state)) {
-      endings.push_back(endingOf(row));
+      endings.push_back(sessionResultOf(row));
     } else {
       setClockToEndOf(row.id, study, clock);
       auto session = Session::resume(study, row.id);
       simulate(study, session, clock, seed, acknowledge, {devices.get(), watch});
-      endings.push_back(endingOf(study, session));
+      endings.push_back(sessionResultOf(study, session));
     }
     ++finished[row.cohort];
     ++total;
@@ -306,13 +308,13 @@ std::vector<SimulatedSessionResult> simulateCohorts(
   auto lastEnrolled = study.events().latestTimeOf(EventKind::Enrolled);  // reads the whole trail
   for (; total < participants; ++total) {
     const std::string cohort = nextCohort(study.protocol().protocol, finished);
-    if (lastEnrolled) clock.setWall(*lastEnrolled + kBetweenParticipants);
+    if (lastEnrolled) clock.setWall(*lastEnrolled + kPauseBetweenParticipants);
     lastEnrolled = clock.now().wall;
     auto session =
         Session::enrol(study, {.cohort = cohort, .runMode = RunMode::Simulated, .language = "en"});
-    acknowledge({Done::Enrolment, session.participant() + " enrolled"});
+    acknowledge({SimulationEventKind::Enrolment, session.participant() + " enrolled"});
     simulate(study, session, clock, seed, acknowledge, {devices.get(), watch});
-    endings.push_back(endingOf(study, session));
+    endings.push_back(sessionResultOf(study, session));
     ++finished[cohort];
   }
   return endings;

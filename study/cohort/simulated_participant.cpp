@@ -22,11 +22,11 @@ constexpr double kNoiseOfAChoice = 0.5;
 }  // namespace
 
 SimulatedParticipant::SimulatedParticipant(
-    const protocols::SimulatedAnswerModel& truth,
+    const protocols::SimulatedAnswerModel& answerModel,
     std::uint64_t seed,
     std::string cohort,
     std::uint64_t slot)
-    : answerModel_(truth), seed_(seed), cohort_(std::move(cohort)), slot_(slot) {}
+    : answerModel_(answerModel), seed_(seed), cohort_(std::move(cohort)), slot_(slot) {}
 
 base::RandomStream SimulatedParticipant::stream(const std::string& purpose) const {
   return {seed_, slot_, "simulated/" + cohort_ + "/" + purpose};
@@ -43,7 +43,7 @@ double SimulatedParticipant::realismOf(const std::string& condition) const {
          answerModel_.interactionStandardDeviation * stream("taste/" + condition).normal();
 }
 
-std::int64_t SimulatedParticipant::point(
+std::int64_t SimulatedParticipant::drawPoint(
     const Session& session, const Item& item, const std::string& purpose) const {
   const double realism =
       session.step().condition.empty() ? 0.0 : realismOf(session.step().condition);
@@ -55,7 +55,7 @@ std::int64_t SimulatedParticipant::point(
   return std::clamp<std::int64_t>(std::llround(answer), item.scale.lowest, item.scale.highest());
 }
 
-double SimulatedParticipant::between(
+double SimulatedParticipant::drawSliderValue(
     const Session& session, const Item& item, const std::string& purpose) const {
   const double felt = realismOf(session.step().condition) +
                       answerModel_.residualStandardDeviation * stream(purpose).normal();
@@ -67,7 +67,7 @@ double SimulatedParticipant::between(
   return item.least + step * std::min(steps, std::round((answer - item.least) / step));
 }
 
-std::string SimulatedParticipant::preferred(
+std::string SimulatedParticipant::drawPreferredLabel(
     const Session& session, const std::string& purpose) const {
   std::string best;
   double most = -1e300;
@@ -98,10 +98,10 @@ std::optional<Response> SimulatedParticipant::answer(
   if (!item.isRequired && random.uniform() < kOmissionProbability) return std::nullopt;
   switch (questionnaires::answerKindOf(item.type)) {
     case AnswerKind::Point:
-      return point(session, item, purpose);
+      return drawPoint(session, item, purpose);
     case AnswerKind::Number: {
       if (item.type == questionnaires::ItemType::Slider && !session.step().condition.empty()) {
-        return between(session, item, purpose);
+        return drawSliderValue(session, item, purpose);
       }
       const double share = std::clamp(0.45 + 0.18 * random.normal(), 0.0, 1.0);
       const double step = item.step > 0.0 ? item.step : 1.0;
@@ -111,7 +111,7 @@ std::optional<Response> SimulatedParticipant::answer(
     case AnswerKind::Option:
       if (!item.consentOption.empty()) return item.consentOption;
       if (item.optionSource == questionnaires::OptionSource::Alternatives) {
-        return preferred(session, purpose);
+        return drawPreferredLabel(session, purpose);
       }
       return item.options[random.below(item.options.size())].id;
     case AnswerKind::Options:

@@ -35,7 +35,7 @@ struct RealtimeDevices {
 class SimulatedParticipant {
  public:
   SimulatedParticipant(
-      const protocols::SimulatedAnswerModel& truth,
+      const protocols::SimulatedAnswerModel& answerModel,
       std::uint64_t seed,
       std::string cohort,
       std::uint64_t slot);
@@ -55,14 +55,14 @@ class SimulatedParticipant {
   /// Random numbers that depend on the seed, the place in the cohort and @p purpose only.
   base::RandomStream stream(const std::string& purpose) const;
   /// The answer on a scale of points.
-  std::int64_t point(
+  std::int64_t drawPoint(
       const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
   /// The answer on a slider about a condition: drawn from the realism like a point of a scale,
   /// rounded to the slider's step.
-  double between(
+  double drawSliderValue(
       const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
   /// The label of the preferred alternative.
-  std::string preferred(const Session& session, const std::string& purpose) const;
+  std::string drawPreferredLabel(const Session& session, const std::string& purpose) const;
 
   protocols::SimulatedAnswerModel answerModel_;
   std::uint64_t seed_;
@@ -94,18 +94,18 @@ struct SimulationEvent {
 inline constexpr std::chrono::milliseconds kDeviceTimeout{10};
 
 /// Called after every commit, and while the simulation waits for a device.
-using SimulationCallback = std::function<void(const SimulationEvent& done)>;
+using SimulationCallback = std::function<void(const SimulationEvent& event)>;
 
 /// Runs @p session from its present step to its end, with the same steps, transactions, engine and
-/// recorder as a real session. Times are those of @p clock. Trials run in real time if @p on has
-/// devices.
+/// recorder as a real session. Times are those of @p clock. Trials run in real time if @p
+/// realtimeDevices has devices.
 void simulate(
     Study& study,
     Session& session,
     SimulatedClock& clock,
     std::uint64_t seed,
     const SimulationCallback& acknowledge,
-    const RealtimeDevices& on = {});
+    const RealtimeDevices& realtimeDevices = {});
 
 /// Like simulate() with simulated devices, but stops when the session has reached @p step of its
 /// plan (from 0) or has ended.

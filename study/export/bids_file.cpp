@@ -109,7 +109,7 @@ class BidsSession {
     for (const auto& row : rows) {
       if (row.owner.session == session_) theirs.push_back(row);
     }
-    return filled(table, theirs, readers_);
+    return exportedTable(table, theirs, readers_);
   }
 
   SessionId session_;
@@ -127,7 +127,7 @@ ExportedTable participantsOf(const std::vector<ExportedSession>& sessions, const
   for (const auto& session : sessions) {
     if (seen.insert(bidsSubject(session.owner)).second) first.push_back(session);
   }
-  return filled(bidsParticipantTable(), first, readers);
+  return exportedTable(bidsParticipantTable(), first, readers);
 }
 
 ExportedTable sessionsOf(
@@ -138,7 +138,7 @@ ExportedTable sessionsOf(
   for (const auto& session : sessions) {
     if (session.owner.participant == participant) theirs.push_back(session);
   }
-  return filled(bidsSessionTable(), theirs, readers);
+  return exportedTable(bidsSessionTable(), theirs, readers);
 }
 
 Json bidsDescription(Study& study, const ExportOptions& options) {

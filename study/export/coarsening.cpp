@@ -27,14 +27,14 @@ bool isBand(const Option& option) {
   return !option.id.empty() && std::isdigit(static_cast<unsigned char>(option.id.front())) != 0;
 }
 
-/// Groups of @p together neighbouring options that are bands; every other option is a group of its
+/// Groups of @p groupSize neighbouring options that are bands; every other option is a group of its
 /// own.
-std::vector<std::vector<Option>> neighbours(
-    const std::vector<Option>& options, std::size_t together) {
+std::vector<std::vector<Option>> groupsOfNeighbours(
+    const std::vector<Option>& options, std::size_t groupSize) {
   std::vector<std::vector<Option>> groups;
   bool isOpen = false;
   for (const auto& option : options) {
-    if (!isOpen || !isBand(option) || groups.back().size() == together) groups.emplace_back();
+    if (!isOpen || !isBand(option) || groups.back().size() == groupSize) groups.emplace_back();
     groups.back().push_back(option);
     isOpen = isBand(option);
   }
@@ -87,7 +87,7 @@ void GeneralisationHierarchy::addBands(const Item& item) {
   for (double width = first; width < range; width *= 2.0) {
     GeneralisationLevel level{.values = {}, .byOption = {}, .width = width};
     for (double from = std::floor(item.least / width) * width; from <= item.most; from += width) {
-      const auto text = band(from, width);
+      const auto text = bandLabel(from, width);
       level.values.push_back({text, item.unit.empty() ? text : text + " " + item.unit});
     }
     levels_.push_back(std::move(level));
@@ -96,8 +96,8 @@ void GeneralisationHierarchy::addBands(const Item& item) {
 
 void GeneralisationHierarchy::addOptions(const Item& item, std::string_view language) {
   std::size_t before = 0;
-  for (std::size_t together = 1;; together *= 2) {
-    const auto groups = neighbours(item.options, together);
+  for (std::size_t groupSize = 1;; groupSize *= 2) {
+    const auto groups = groupsOfNeighbours(item.options, groupSize);
     if (groups.size() == before) return;
     before = groups.size();
     GeneralisationLevel level;
@@ -119,9 +119,11 @@ std::optional<double> GeneralisationHierarchy::bandWidth() const {
   return levels_.front().width;
 }
 
-std::string GeneralisationHierarchy::band(double from, double width) const {
+std::string GeneralisationHierarchy::bandLabel(double from, double width) const {
   // nine decimals remove the rounding errors of sums of widths; + 0.0 makes -0 a plain 0
-  const auto rounded = [](double value) { return exactly(std::round(value * 1e9) / 1e9 + 0.0); };
+  const auto rounded = [](double value) {
+    return exactDecimal(std::round(value * 1e9) / 1e9 + 0.0);
+  };
   return rounded(from) + " to " +
          (isWhole_ ? rounded(from + width - 1.0) : "<" + rounded(from + width));
 }
@@ -132,7 +134,7 @@ std::string GeneralisationHierarchy::releasedValue(
   const auto stored = storage::stored(response);
   if (chosen.width > 0.0) {
     const auto number = stored.point ? static_cast<double>(*stored.point) : stored.number;
-    return number ? band(std::floor(*number / chosen.width) * chosen.width, chosen.width) : "";
+    return number ? bandLabel(std::floor(*number / chosen.width) * chosen.width, chosen.width) : "";
   }
   const auto text = stored.text.value_or("");
   if (chosen.byOption.empty()) return text;

@@ -65,7 +65,7 @@ class GeneralisationHierarchy {
   void addBands(const questionnaires::Item& item);
   void addOptions(const questionnaires::Item& item, std::string_view language);
   /// The label of the band that begins at @p from.
-  std::string band(double from, double width) const;
+  std::string bandLabel(double from, double width) const;
 
   std::vector<GeneralisationLevel> levels_;
   bool isWhole_ = false;  ///< see isWhole()

@@ -166,7 +166,7 @@ ExportedTable columnsTable(const std::vector<ExportedTable>& tables) {
       for (const auto& level : column.levels) rows.push_back({&table, &column, level});
     }
   }
-  return filled(columnTable(), rows, {});
+  return exportedTable(columnTable(), rows, {});
 }
 
 ExportedTable itemsTable(Study& study, const Readers& readers) {
@@ -184,7 +184,7 @@ ExportedTable itemsTable(Study& study, const Readers& readers) {
     return phase.type == protocols::PhaseType::Benchmark;
   });
   if (hasBenchmark) rows.push_back(benchmarkRow());
-  return filled(itemTable(), rows, readers);
+  return exportedTable(itemTable(), rows, readers);
 }
 
 }  // namespace study

@@ -116,7 +116,7 @@ std::string scriptsInWords(const ExportOptions& options, const FolderContents& c
     const auto* program = path.ends_with(".R") ? "Rscript " : "python3 ";
     text += "- `" + path + "` (`" + program + path + "`) " + script->purpose + "\n";
   }
-  if (options.publicClass) return text;
+  if (options.publicClassSize) return text;
   if (options.isBlinded) {
     if (contents.scripts.empty()) return text;
     return text +
@@ -161,7 +161,7 @@ std::string tracesInWords() {
 /// must not lead to its study. A folder of simulated sessions needs no proof of origin, and must
 /// not help to identify a folder of real sessions.
 bool namesItsStudy(const ExportOptions& options) {
-  return options.runMode != RunMode::Simulated && !options.publicClass;
+  return options.runMode != RunMode::Simulated && !options.publicClassSize;
 }
 
 Json levelsAsJson(const std::vector<Level>& levels) {
@@ -191,7 +191,7 @@ std::string exportMetadataAsJson(Study& study, const ExportOptions& options) {
   head["run_mode"] = options.runMode ? nameOf(*options.runMode) : "all";
   if (namesItsStudy(options)) head["audit_trail"] = study.events().headAsText();
   if (!options.codes.empty()) head["codes"] = options.codes;
-  if (options.publicClass) head["k"] = *options.publicClass;
+  if (options.publicClassSize) head["k"] = *options.publicClassSize;
   head["felt_from"] = Json::array();
   for (const auto& source : study.protocol().sources) {
     Json entry{{"kind", source.kind}, {"synthetic", source.isSynthetic}};
@@ -218,7 +218,8 @@ std::string readmeLineOnBlinding(Study& study, const ExportOptions& options) {
   return "- Blinded: `condition_code` says which rows belong together, not which rendering they "
          "are." +
          std::string(
-             options.publicClass ? "\n" : " 'palpate export --unblind --reason \"…\"' says it.\n");
+             options.publicClassSize ? "\n"
+                                     : " 'palpate export --unblind --reason \"…\"' says it.\n");
 }
 
 std::string codeSetInWords(const ExportOptions& options) {
@@ -250,7 +251,7 @@ WrittenTable writtenTable(const std::string& file, const ExportedTable& table) {
 }
 
 std::string readmeOf(Study& study, const ExportOptions& options, const FolderContents& contents) {
-  if (options.publicClass) {
+  if (options.publicClassSize) {
     return publicReadme(study, options, publicRelease(study, options)) + "\n" +
            scriptsInWords(options, contents) + tablesInWords(contents.tables);
   }

@@ -327,7 +327,7 @@ struct Table {
 
 /// The exported table of @p rows, with the columns for @p readers.
 template <typename Row>
-ExportedTable filled(
+ExportedTable exportedTable(
     const Table<Row>& table, const std::vector<Row>& rows, const Readers& readers) {
   ExportedTable result{
       .name = table.name,

@@ -25,11 +25,11 @@ std::string codesIn(const std::filesystem::path& file) {
   const auto text = base::readFile(file).value_or("");
   const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return {};
-  const auto inside = json.find("palpate");  // the files of Psych-DS and BIDS have it inside this
+  const auto nested = json.find("palpate");  // the files of Psych-DS and BIDS have it inside this
                                              // key
-  const auto& head = inside != json.end() && inside->is_object() ? *inside : json;
-  const auto codes = head.find("codes");
-  return codes != head.end() && codes->is_string() ? codes->get<std::string>() : std::string();
+  const auto& metadata = nested != json.end() && nested->is_object() ? *nested : json;
+  const auto codes = metadata.find("codes");
+  return codes != metadata.end() && codes->is_string() ? codes->get<std::string>() : std::string();
 }
 
 }  // namespace

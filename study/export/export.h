@@ -41,13 +41,13 @@ struct ExportOptions {
   /// For a public export: k, the smallest allowed number of people with equal quasi-identifiers
   /// (study/export/public_tables.h). Everything else that could identify a person is left out.
   /// std::nullopt: not a public export.
-  std::optional<std::size_t> publicClass = std::nullopt;
+  std::optional<std::size_t> publicClassSize = std::nullopt;
   /// Called while writing. If it throws, the export stops and leaves no folder.
   Progress progress = {};
 };
 
 /// The smallest allowed k of a public export, and its default.
-inline constexpr std::size_t kSmallestPublicClass = 5;
+inline constexpr std::size_t kSmallestPublicClassSize = 5;
 
 /// All data for analyses, as tables: sessions, responses, texts, trials, cuts, events. A blinded
 /// export has sessions, responses and texts only, without values that depend on the rendering.

@@ -37,7 +37,7 @@ Json asJson(const ExportedTable& table) {
 }
 
 /// Whether the export includes a script that reads the tables.
-bool hasReader(const ExportOptions& options) {
+bool hasReadingScript(const ExportOptions& options) {
   return options.format == ExportFormat::R || options.format == ExportFormat::Python;
 }
 
@@ -45,7 +45,7 @@ bool hasReader(const ExportOptions& options) {
 std::size_t writeTables(Study& study, const fs::path& folder, const ExportOptions& options) {
   auto tables = tablesFor(study, options);
   FolderContents contents{.sessions = tables.front().rows.size(), .tables = {}};
-  if (hasReader(options)) tables.push_back(columnsTable(tables));
+  if (hasReadingScript(options)) tables.push_back(columnsTable(tables));
   if (options.format == ExportFormat::Json) {
     Json json = Json::parse(exportMetadataAsJson(study, options));
     for (const auto& table : tables) {
@@ -69,7 +69,7 @@ std::size_t writeTables(Study& study, const fs::path& folder, const ExportOption
 
 /// Writes all files in the requested format. @return  the number of sessions
 std::size_t writeAll(Study& study, const fs::path& folder, const ExportOptions& options) {
-  tell(options.progress, kUnknownShare, "writing the tables");
+  announceProgress(options.progress, kUnknownShare, "writing the tables");
   if (options.format == ExportFormat::PsychDs) return writePsychDs(study, folder, options);
   if (options.format == ExportFormat::Bids) return writeBids(study, folder, options);
   return writeTables(study, folder, options);
@@ -81,20 +81,20 @@ void requireAllowed(const ExportOptions& options, const std::string& reason) {
     throw storage::StorageError(
         "To say which rendering was felt needs a reason: it goes into the audit trail.");
   }
-  if (options.publicClass && options.hasTraces) {
+  if (options.publicClassSize && options.hasTraces) {
     throw storage::StorageError(
         "How somebody's hand moved is theirs alone, so that a public folder has no traces. Leave "
         "--traces or --public out.");
   }
-  if (options.publicClass && options.format == ExportFormat::Bids) {
+  if (options.publicClassSize && options.format == ExportFormat::Bids) {
     throw storage::StorageError(
         "A BIDS folder has one for each person, with measurements in it, which a public one may "
         "not "
         "have. Choose --format csv, json, psych-ds, r or python.");
   }
-  if (options.publicClass && *options.publicClass < kSmallestPublicClass) {
+  if (options.publicClassSize && *options.publicClassSize < kSmallestPublicClassSize) {
     throw storage::StorageError(
-        "A class of a public folder has at least " + std::to_string(kSmallestPublicClass) +
+        "A class of a public folder has at least " + std::to_string(kSmallestPublicClassSize) +
         " people. Ask for that many or more.");
   }
   if (options.isBlinded && options.hasTraces) {
@@ -106,14 +106,14 @@ void requireAllowed(const ExportOptions& options, const std::string& reason) {
 
 /// Whether the export must fail if it cannot be noted in the audit trail.
 bool isNoteRequired(const ExportOptions& options) {
-  return !options.isBlinded || options.publicClass.has_value();
+  return !options.isBlinded || options.publicClassSize.has_value();
 }
 
 /// Draws the set of codes for the export. All public exports have one set of codes, so that their
 /// readers can compare them.
 void drawCodes(Study& study, ExportOptions& options) {
   const auto mode = options.runMode.value_or(RunMode::Live);
-  if (options.publicClass || !drawsCodesForEachExport(study, mode)) {
+  if (options.publicClassSize || !drawsCodesForEachExport(study, mode)) {
     if (options.codes.empty()) return;
     throw storage::StorageError(
         "These sessions have the same codes in each export: leave --codes-of out.");
@@ -125,9 +125,9 @@ void drawCodes(Study& study, ExportOptions& options) {
 /// @return  false if the study cannot be written
 bool noteFolder(Study& study, const fs::path& target, const ExportOptions& options) {
   if (options.runMode == RunMode::Simulated) return true;
-  const std::string how = options.publicClass ? "public"
-                          : options.isBlinded ? "coded"
-                                              : "unblinded";
+  const std::string how = options.publicClassSize ? "public"
+                          : options.isBlinded     ? "coded"
+                                                  : "unblinded";
   storage::Event exported{
       .actor = storage::Actor::Operator,
       .kind = EventKind::Exported,
@@ -146,7 +146,7 @@ bool noteFolder(Study& study, const fs::path& target, const ExportOptions& optio
 bool noteExport(
     Study& study, const fs::path& target, const ExportOptions& options, const std::string& reason) {
   const bool isNoted = noteFolder(study, target, options);
-  if (options.publicClass) {
+  if (options.publicClassSize) {
     const auto release = publicRelease(study, options);
     study.note(
         {.actor = storage::Actor::Operator,
@@ -165,12 +165,12 @@ bool noteExport(
 
 std::vector<std::string> writeScripts(const fs::path& folder, const ExportOptions& options) {
   std::vector<std::string> written;
-  const bool hasStatistics = !options.isBlinded && !options.publicClass;
+  const bool hasStatistics = !options.isBlinded && !options.publicClassSize;
   for (const auto& file : exportScripts()) {
     const bool isReader = file.name.starts_with("read_");
     const bool isForR = file.name.ends_with(".R");
     const bool isForOther = options.format == (isForR ? ExportFormat::Python : ExportFormat::R);
-    if (isForOther || !(isReader ? hasReader(options) : hasStatistics)) continue;
+    if (isForOther || !(isReader ? hasReadingScript(options) : hasStatistics)) continue;
     writeNewFile((folder / file.name).string(), std::string(file.content));
     written.emplace_back(file.name);
   }
@@ -191,10 +191,10 @@ Study openForExport(const fs::path& folder, const ExportOptions& options) {
 WrittenExport exportStudy(
     Study& study,
     const std::string& folder,
-    const ExportOptions& asked,
+    const ExportOptions& requestedOptions,
     const std::string& reason) {
-  ExportOptions options = asked;
-  if (options.publicClass && !options.runMode) options.runMode = RunMode::Live;
+  ExportOptions options = requestedOptions;
+  if (options.publicClassSize && !options.runMode) options.runMode = RunMode::Live;
   fs::path target = fs::path(folder).lexically_normal();
   if (!target.has_filename()) target = target.parent_path();  // "out/" becomes "out"
   std::error_code error;
@@ -204,13 +204,13 @@ WrittenExport exportStudy(
   }
   requireAllowed(options, reason);
   drawCodes(study, options);
-  if (options.publicClass) requireSafeFromDifferencing(study, options);
-  tell(options.progress, kUnknownShare, "gathering the tables");
+  if (options.publicClassSize) requireSafeFromDifferencing(study, options);
+  announceProgress(options.progress, kUnknownShare, "gathering the tables");
   const bool isNoted = noteExport(study, target, options, reason);
   const fs::path unfinished = makeFolderBeside(target);
   try {
     const auto sessions = writeAll(study, unfinished, options);
-    tell(options.progress, 1.0, "giving the folder its name");
+    announceProgress(options.progress, 1.0, "giving the folder its name");
     moveIntoPlace(unfinished, target);
     return {.sessions = sessions, .isNoted = isNoted};
   } catch (...) {

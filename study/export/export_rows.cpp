@@ -35,7 +35,7 @@ std::int64_t timeBetween(const Moment& last, const storage::Event& event) {
 class EventOnsets {
  public:
   double of(const storage::Event& event) {
-    auto& last = last_[event.visit->session];
+    auto& last = lastEvents_[event.visit->session];
     if (last) {
       last->onset += std::max<std::int64_t>(timeBetween(last->when, event), 0);
       last->when = event.when;
@@ -46,11 +46,11 @@ class EventOnsets {
   }
 
  private:
-  struct Last {
+  struct LastEvent {
     Moment when;
     std::int64_t onset = 0;  ///< [ns]
   };
-  std::map<SessionId, std::optional<Last>> last_;
+  std::map<SessionId, std::optional<LastEvent>> lastEvents_;
 };
 
 RowOwner ownerOf(const SessionRecord& session) {
@@ -152,11 +152,12 @@ std::string_view StudyRows::chosenIn(const ExportedAnswer& row) const {
   if (!isVote || phase == nullptr) return {};
   int number = 0;
   std::from_chars(label->data(), label->data() + label->size(), number);
-  const auto felt = conditionOfAlternative_.find({row.owner.session, phase->block, number});
-  if (felt == conditionOfAlternative_.end()) return {};
-  if (!isBlinded_) return felt->second;
+  const auto chosenCondition =
+      conditionOfAlternative_.find({row.owner.session, phase->block, number});
+  if (chosenCondition == conditionOfAlternative_.end()) return {};
+  if (!isBlinded_) return chosenCondition->second;
   const auto& codes = codes_.at(row.owner.runMode);
-  const auto code = codes.find(felt->second);
+  const auto code = codes.find(chosenCondition->second);
   return code == codes.end() ? std::string_view() : code->second;
 }
 

@@ -34,7 +34,7 @@ std::string blindingInWords(Study& study, const ExportOptions& options) {
 Readers readersOf(Study& study, const ExportOptions& options) {
   return {
       .isBlinded = options.isBlinded,
-      .isPublic = options.publicClass.has_value(),
+      .isPublic = options.publicClassSize.has_value(),
       .seeExact = options.isExact,
       .seeTexts = options.hasTexts,
       .lists = valueListsOf(study, options),
@@ -45,8 +45,8 @@ std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& optio
   const StudyRows rows(study, options);
   const auto readers = readersOf(study, options);
   std::vector<ExportedTable> all;
-  const auto add = [&](const auto& table, const auto& of) {
-    if (table.isFor(readers)) all.push_back(filled(table, of(), readers));
+  const auto add = [&](const auto& table, const auto& readRows) {
+    if (table.isFor(readers)) all.push_back(exportedTable(table, readRows(), readers));
   };
   add(sessionTable(), [&] { return rows.sessions(); });
   add(responseTable(), [&] { return rows.answers(); });
@@ -59,14 +59,15 @@ std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& optio
 
 std::vector<ExportedTable> tablesFor(Study& study, const ExportOptions& options) {
   const auto readers = readersOf(study, options);
-  auto tables = options.publicClass ? publicTables(study, options) : exportTables(study, options);
+  auto tables =
+      options.publicClassSize ? publicTables(study, options) : exportTables(study, options);
   tables.push_back(itemsTable(study, readers));
-  if (options.format == ExportFormat::Csv && !options.publicClass) {
+  if (options.format == ExportFormat::Csv && !options.publicClassSize) {
     const StudyRows rows(study, options);
-    tables.push_back(
-        filled(wideTable(study.protocol()), wideRows(study.protocol(), rows.answers()), readers));
+    tables.push_back(exportedTable(
+        wideTable(study.protocol()), wideRows(study.protocol(), rows.answers()), readers));
   }
-  if (!options.isBlinded && !options.publicClass) {
+  if (!options.isBlinded && !options.publicClassSize) {
     const auto results = resultsFor(study, options);
     tables.push_back(statisticsTable(study, options, results));
     tables.push_back(votesTable(study, options, results));

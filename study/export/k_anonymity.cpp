@@ -147,7 +147,7 @@ Values suppressRareValues(const Values& values, std::size_t k) {
   return kept;
 }
 
-std::optional<Release> released(
+std::optional<Release> computeRelease(
     const std::vector<QuasiIdentifier>& identifiers, std::size_t people, std::size_t k) {
   if (k < 2) throw std::invalid_argument("one person alone is no class to hide in");
   if (people < k) return std::nullopt;

@@ -70,7 +70,7 @@ Values suppressRareValues(const Values& values, std::size_t k);
 /// @return  std::nullopt if there are fewer people than k.
 /// @throws std::invalid_argument  if @p k is below 2, or if a column does not have one value for
 ///     each person.
-std::optional<Release> released(
+std::optional<Release> computeRelease(
     const std::vector<QuasiIdentifier>& identifiers, std::size_t people, std::size_t k);
 
 }  // namespace study

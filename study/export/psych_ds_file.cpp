@@ -80,7 +80,7 @@ bool mayBeExported(const fs::path& name) {
 }
 
 void writeMaterials(Study& study, const fs::path& folder, const ExportOptions& options) {
-  if (options.isBlinded || options.publicClass) return;
+  if (options.isBlinded || options.publicClassSize) return;
   fs::create_directories(folder);
   const auto stored = study.protocols().current();
   writeNewFile((folder / "study-protocol.json").string(), stored.text);
@@ -100,7 +100,7 @@ std::size_t writePsychDs(Study& study, const fs::path& folder, const ExportOptio
   std::string prefix = "study-" + bidsLabel(study.protocol().protocol.study.id);
   // At a station, file names contain its site. Exports of several sites have a column for the site.
   const auto& site = study.station().site;
-  if (!site.empty() && !options.publicClass) prefix += "_site-" + bidsLabel(site);
+  if (!site.empty() && !options.publicClassSize) prefix += "_site-" + bidsLabel(site);
   const auto data = folder / "data";
   fs::create_directories(data);
   for (const auto& table : tables) {
@@ -112,7 +112,7 @@ std::size_t writePsychDs(Study& study, const fs::path& folder, const ExportOptio
   }
   if (options.hasTraces) writeTraces(study, data / "raw", options);
   writeMaterials(study, folder / "materials", options);
-  if (!options.isBlinded && !options.publicClass) {
+  if (!options.isBlinded && !options.publicClassSize) {
     fs::create_directories(folder / "analysis");
     for (const auto& script : writeScripts(folder / "analysis", options))
       contents.scripts.push_back("analysis/" + script);

@@ -25,12 +25,12 @@ std::vector<EarlierExport> earlierExports(Study& study, RunMode mode) {
       completed.insert(event.visit->session);
     }
     if (event.kind != EventKind::PublicExport) continue;
-    const auto* of = event.value("run_mode");  // release 0.1 did not store the run mode
-    const auto* name = of == nullptr ? nullptr : std::get_if<std::string>(of);
+    const auto* storedMode = event.value("run_mode");  // release 0.1 did not store the run mode
+    const auto* name = storedMode == nullptr ? nullptr : std::get_if<std::string>(storedMode);
     if (name != nullptr && *name != nameOf(mode)) continue;
     const auto* k = event.value("k");
     const auto* number = k == nullptr ? nullptr : std::get_if<std::int64_t>(k);
-    const auto smallest = number == nullptr ? kSmallestPublicClass : std::size_t(*number);
+    const auto smallest = number == nullptr ? kSmallestPublicClassSize : std::size_t(*number);
     exports.push_back({smallest, completed});
   }
   return exports;
@@ -49,26 +49,28 @@ std::vector<ReleasedColumn> columnsOfEarlierExport(
     const EarlierExport& earlier,
     const PublicPeople& people,
     const std::vector<QuasiIdentifier>& identifiers) {
-  std::vector<std::size_t> then;
+  std::vector<std::size_t> earlierPeople;
   for (std::size_t person = 0; person < people.count(); ++person) {
-    if (earlier.completed.count(people.sessions()[person].id) > 0) then.push_back(person);
+    if (earlier.completed.count(people.sessions()[person].id) > 0) earlierPeople.push_back(person);
   }
   ReleasedColumn wasThere{"", 0, Values(people.count(), "new")};
-  for (const auto person : then) wasThere.values[person] = "there";
+  for (const auto person : earlierPeople) wasThere.values[person] = "there";
   std::vector<ReleasedColumn> columns{wasThere};
-  std::vector<QuasiIdentifier> ofThem;
+  std::vector<QuasiIdentifier> theirIdentifiers;
   for (const auto& identifier : identifiers) {
-    QuasiIdentifier one{identifier.name, valuesOfPeople(identifier.exact, then), {}};
-    for (const auto& level : identifier.levels) one.levels.push_back(valuesOfPeople(level, then));
-    ofThem.push_back(std::move(one));
+    QuasiIdentifier one{identifier.name, valuesOfPeople(identifier.exact, earlierPeople), {}};
+    for (const auto& level : identifier.levels)
+      one.levels.push_back(valuesOfPeople(level, earlierPeople));
+    theirIdentifiers.push_back(std::move(one));
   }
-  const auto release = released(ofThem, then.size(), earlier.k);
+  const auto release = computeRelease(theirIdentifiers, earlierPeople.size(), earlier.k);
   if (!release) return columns;
   for (const auto& column : release->columns) {
     if (!column.level) continue;
-    ReleasedColumn said{column.name, column.level, Values(people.count())};
-    for (std::size_t i = 0; i < then.size(); ++i) said.values[then[i]] = column.values[i];
-    columns.push_back(std::move(said));
+    ReleasedColumn releasedColumn{column.name, column.level, Values(people.count())};
+    for (std::size_t i = 0; i < earlierPeople.size(); ++i)
+      releasedColumn.values[earlierPeople[i]] = column.values[i];
+    columns.push_back(std::move(releasedColumn));
   }
   return columns;
 }
@@ -77,7 +79,7 @@ std::vector<ReleasedColumn> columnsOfEarlierExport(
 
 ExportHistory exportHistory(Study& study, const ExportOptions& options) {
   const auto mode = options.runMode.value_or(RunMode::Live);
-  const auto k = options.publicClass.value_or(kSmallestPublicClass);
+  const auto k = options.publicClassSize.value_or(kSmallestPublicClassSize);
   if (mode == RunMode::Simulated) return {};
   const auto earlier = earlierExports(study, mode);
   if (earlier.empty()) return {};
@@ -87,29 +89,29 @@ ExportHistory exportHistory(Study& study, const ExportOptions& options) {
   for (const auto& column : publicRelease(study, options).columns) {
     if (column.level) columns.push_back(column);
   }
-  ExportHistory after{.earlier = earlier.size(), .newPeople = people.count()};
+  ExportHistory history{.earlier = earlier.size(), .newPeople = people.count()};
   std::set<SessionId> known;
   for (const auto& one : earlier) {
     for (auto& column : columnsOfEarlierExport(one, people, identifiers))
       columns.push_back(std::move(column));
     known.insert(one.completed.begin(), one.completed.end());
   }
-  for (const auto& session : people.sessions()) after.newPeople -= known.count(session.id);
-  after.together = classSizes(columns, people.count(), k);
-  return after;
+  for (const auto& session : people.sessions()) history.newPeople -= known.count(session.id);
+  history.combinedClasses = classSizes(columns, people.count(), k);
+  return history;
 }
 
 void requireSafeFromDifferencing(Study& study, const ExportOptions& options) {
-  const auto after = exportHistory(study, options);
-  if (after.together.peopleInSmallClasses == 0) return;
-  const auto k = options.publicClass.value_or(kSmallestPublicClass);
+  const auto history = exportHistory(study, options);
+  if (history.combinedClasses.peopleInSmallClasses == 0) return;
+  const auto k = options.publicClassSize.value_or(kSmallestPublicClassSize);
   throw storage::StorageError(
-      "There are " + words::counted(after.earlier, "earlier public export") +
+      "There are " + words::counted(history.earlier, "earlier public export") +
       " of this study. Who lays them beside this one finds the same people by their answers, and "
       "would know " +
-      words::counted(after.together.peopleInSmallClasses, "person", "people") + " (" +
-      std::to_string(after.newPeople) + " of them new) as one of fewer than " + std::to_string(k) +
-      ". Nothing was written. Wait until at least " + std::to_string(k) +
+      words::counted(history.combinedClasses.peopleInSmallClasses, "person", "people") + " (" +
+      std::to_string(history.newPeople) + " of them new) as one of fewer than " +
+      std::to_string(k) + ". Nothing was written. Wait until at least " + std::to_string(k) +
       " more people who are alike took part, and keep the same --k; or do not publish again.");
 }
 

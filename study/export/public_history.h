@@ -11,9 +11,9 @@ namespace study {
 /// match people by their answers, combine the released facts about them, and infer which people
 /// joined in between. Therefore each class must have k people even after all exports are combined.
 struct ExportHistory {
-  std::size_t earlier = 0;    ///< number of earlier public exports of the same run mode
-  std::size_t newPeople = 0;  ///< number of people who are in no earlier export
-  ClassSizes together;        ///< classes of people with equal values in all exports
+  std::size_t earlier = 0;     ///< number of earlier public exports of the same run mode
+  std::size_t newPeople = 0;   ///< number of people who are in no earlier export
+  ClassSizes combinedClasses;  ///< classes of people with equal values in all exports
 };
 
 /// Finds earlier public exports in the audit trail, and recomputes from the sessions that were

@@ -13,7 +13,7 @@ namespace {
 std::string asWritten(const questionnaires::Response& response) {
   const auto stored = storage::stored(response);
   if (stored.point) return std::to_string(*stored.point);
-  return stored.number ? exactly(*stored.number) : stored.text.value_or("");
+  return stored.number ? exactDecimal(*stored.number) : stored.text.value_or("");
 }
 
 }  // namespace
@@ -50,14 +50,14 @@ PublicPeople::PublicPeople(Study& study, RunMode mode)
     people_.emplace(session.id, sessions_.size());
     sessions_.push_back(std::move(session));
   }
-  const auto counts = [&](const storage::StepRecord& step) {
+  const auto isCounted = [&](const storage::StepRecord& step) {
     return step.isFinished() && people_.count(step.visit.session) == 1;
   };
   for (auto& answer : records.answers()) {
-    if (counts(answer.step)) answers_.push_back(std::move(answer));
+    if (isCounted(answer.step)) answers_.push_back(std::move(answer));
   }
   for (auto& trial : records.trials()) {
-    if (counts(trial.step)) trials_.push_back(std::move(trial));
+    if (isCounted(trial.step)) trials_.push_back(std::move(trial));
   }
 }
 
@@ -68,17 +68,17 @@ std::optional<std::size_t> PublicPeople::personOf(SessionId session) const {
 
 std::vector<QuasiIdentifier> PublicPeople::identifiers() const {
   std::vector<QuasiIdentifier> identifiers{
-      described(kCohortColumn, &storage::SessionRecord::cohort)};
-  auto sites = described(kSiteColumn, &storage::SessionRecord::site);
+      identifierFrom(kCohortColumn, &storage::SessionRecord::cohort)};
+  auto sites = identifierFrom(kSiteColumn, &storage::SessionRecord::site);
   const bool areSeveral = std::ranges::any_of(
       sites.exact, [&](const auto& site) { return site != sites.exact.front(); });
   if (areSeveral) identifiers.push_back(std::move(sites));
-  for (const auto& question : questions_) identifiers.push_back(background(question));
-  identifiers.push_back(orders());
+  for (const auto& question : questions_) identifiers.push_back(backgroundIdentifier(question));
+  identifiers.push_back(orderIdentifier());
   return identifiers;
 }
 
-QuasiIdentifier PublicPeople::described(
+QuasiIdentifier PublicPeople::identifierFrom(
     const char* name, std::string storage::SessionRecord::*member) const {
   QuasiIdentifier identifier{.name = name, .exact = {}, .levels = {}};
   for (const auto& session : sessions_) identifier.exact.push_back(session.*member);
@@ -86,8 +86,8 @@ QuasiIdentifier PublicPeople::described(
   return identifier;
 }
 
-QuasiIdentifier PublicPeople::background(const BackgroundQuestion& question) const {
-  const std::size_t levelCount = question.coarsening.levelCount();
+QuasiIdentifier PublicPeople::backgroundIdentifier(const BackgroundQuestion& question) const {
+  const std::size_t levelCount = question.hierarchy.levelCount();
   QuasiIdentifier identifier{
       .name = question.column(),
       .exact = Values(count()),
@@ -100,19 +100,20 @@ QuasiIdentifier PublicPeople::background(const BackgroundQuestion& question) con
     identifier.exact[person] = asWritten(answer.answer.response);
     for (std::size_t level = 0; level < levelCount; ++level) {
       identifier.levels[level][person] =
-          question.coarsening.releasedValue(level, answer.answer.response);
+          question.hierarchy.releasedValue(level, answer.answer.response);
     }
   }
   return identifier;
 }
 
-QuasiIdentifier PublicPeople::orders() const {
+QuasiIdentifier PublicPeople::orderIdentifier() const {
   const auto codes = conditionCodes(study_, mode_);
-  std::vector<std::map<std::pair<int, std::string>, std::map<int, std::string>>> felt(count());
+  std::vector<std::map<std::pair<int, std::string>, std::map<int, std::string>>> codesByPerson(
+      count());
   for (const auto& trial : trials_) {
     if (trial.step.isOptionalRepetition())
       continue;  // an optional trial has no position in the order
-    auto& blocks = felt[people_.at(trial.step.visit.session)];
+    auto& blocks = codesByPerson[people_.at(trial.step.visit.session)];
     const auto code = codes.find(trial.step.condition);
     const auto& phases = study_.protocol().protocol.phases;
     const auto phase = std::find_if(phases.begin(), phases.end(), [&](const auto& known) {
@@ -122,16 +123,16 @@ QuasiIdentifier PublicPeople::orders() const {
     blocks[{place, trial.step.phase}][trial.step.position] =
         code == codes.end() ? "" : code->second;
   }
-  QuasiIdentifier orders{.name = kOrderColumn, .exact = Values(count()), .levels = {}};
+  QuasiIdentifier orderIdentifier{.name = kOrderColumn, .exact = Values(count()), .levels = {}};
   for (std::size_t person = 0; person < count(); ++person) {
-    auto& text = orders.exact[person];
-    for (const auto& [block, positions] : felt[person]) {
+    auto& text = orderIdentifier.exact[person];
+    for (const auto& [block, positions] : codesByPerson[person]) {
       text += (text.empty() ? "" : "; ") + block.second + ":";
       for (const auto& [position, code] : positions) text += " " + code;
     }
   }
-  orders.levels = {orders.exact};
-  return orders;
+  orderIdentifier.levels = {orderIdentifier.exact};
+  return orderIdentifier;
 }
 
 }  // namespace study

@@ -17,7 +17,7 @@ namespace study {
 struct BackgroundQuestion {
   std::string phase;
   const questionnaires::Item* item = nullptr;  ///< of the study's protocol
-  GeneralisationHierarchy coarsening;
+  GeneralisationHierarchy hierarchy;
 
   /// The name of the question's column: "background_age_band".
   std::string column() const;
@@ -49,11 +49,12 @@ class PublicPeople {
 
  private:
   /// A quasi-identifier from a member of SessionRecord: released unchanged or not at all.
-  QuasiIdentifier described(const char* name, std::string storage::SessionRecord::*member) const;
+  QuasiIdentifier identifierFrom(
+      const char* name, std::string storage::SessionRecord::*member) const;
   /// The quasi-identifier from the answers to a question, in levels of generalisation.
-  QuasiIdentifier background(const BackgroundQuestion& question) const;
+  QuasiIdentifier backgroundIdentifier(const BackgroundQuestion& question) const;
   /// The quasi-identifier of the order of conditions.
-  QuasiIdentifier orders() const;
+  QuasiIdentifier orderIdentifier() const;
 
   Study& study_;
   RunMode mode_;

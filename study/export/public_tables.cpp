@@ -69,7 +69,7 @@ class PublicTables {
   ExportedTable participants() const {
     std::vector<std::size_t> people(people_.count());
     std::iota(people.begin(), people.end(), std::size_t{0});
-    auto table = filled(participantTable(), people, readers_);
+    auto table = exportedTable(participantTable(), people, readers_);
     shuffle(table.rows);
     return table;
   }
@@ -79,7 +79,7 @@ class PublicTables {
     for (const auto& answer : people_.answers()) {
       if (const auto* item = releasableItem(answer)) rows.push_back(rowOf(answer, *item));
     }
-    auto table = filled(responseTable(), rows, readers_);
+    auto table = exportedTable(responseTable(), rows, readers_);
     shuffle(table.rows);
     return table;
   }
@@ -124,7 +124,7 @@ class PublicTables {
       const auto& language = study_.protocol().protocol.languages.front();
       return {
           column.name,
-          holds::OneOfOwnList{question.coarsening.values(*column.level)},
+          holds::OneOfOwnList{question.hierarchy.values(*column.level)},
           question.item->text.in(language) + " Empty: not answered, or told by too few",
           value};
     }
@@ -155,13 +155,15 @@ class PublicTables {
   }
 
   /// The condition code of the alternative that an answer chooses.
-  std::string_view preferred(const storage::AnswerRecord& answer, const std::string& label) const {
+  std::string_view chosenCode(const storage::AnswerRecord& answer, const std::string& label) const {
     const auto* phase = study_.protocol().protocol.phase(answer.step.phase);
     if (phase == nullptr) return {};
     int number = 0;
     std::from_chars(label.data(), label.data() + label.size(), number);
-    const auto felt = allocation_.find({answer.step.visit.session, phase->block, number});
-    return felt == allocation_.end() ? std::string_view() : codeOf(felt->second);
+    const auto chosenCondition =
+        allocation_.find({answer.step.visit.session, phase->block, number});
+    return chosenCondition == allocation_.end() ? std::string_view()
+                                                : codeOf(chosenCondition->second);
   }
 
   Cell responseOf(const storage::AnswerRecord& answer, const Item& item) const {
@@ -171,7 +173,7 @@ class PublicTables {
     const auto text = stored.text.value_or("");
     const bool isAlternative =
         item.optionSource == questionnaires::OptionSource::Alternatives && !text.empty();
-    return holds::asCell(isAlternative ? preferred(answer, text) : std::string_view(text));
+    return holds::asCell(isAlternative ? chosenCode(answer, text) : std::string_view(text));
   }
 
   /// The released value of a person for the quasi-identifier @p identifier; empty if none is
@@ -214,8 +216,8 @@ class PublicTables {
 
 Release publicRelease(Study& study, const ExportOptions& options) {
   const PublicPeople people(study, options.runMode.value_or(RunMode::Live));
-  const auto k = options.publicClass.value();
-  auto release = released(people.identifiers(), people.count(), k);
+  const auto k = options.publicClassSize.value();
+  auto release = computeRelease(people.identifiers(), people.count(), k);
   if (release) return std::move(*release);
   throw storage::StorageError(
       words::counted(people.count(), "person has", "people have") +

@@ -46,8 +46,8 @@ auto answerMember(Member member) {
   return [member](const ExportedAnswer& row) { return std::invoke(member, row.record->answer); };
 }
 
-/// The columns on the step of the answer. In public folders only those whose values enough people
-/// share.
+/// The columns that describe the step in which an answer was given. Public folders contain only the
+/// columns whose values enough people share.
 Columns<ExportedAnswer> columnsOfAnsweredStep() {
   return {
       participantColumn<ExportedAnswer>().inPublic("Drawn for this folder; leads nowhere"),
@@ -142,14 +142,14 @@ Column<ExportedAnswer> savedColumn() {
       .exact();
 }
 
-Columns<ExportedAnswer> joined(std::initializer_list<Columns<ExportedAnswer>> parts) {
+Columns<ExportedAnswer> concatenated(std::initializer_list<Columns<ExportedAnswer>> parts) {
   Columns<ExportedAnswer> all;
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
 /// The instruments of blocks, in the order of the protocol.
-std::vector<const questionnaires::Instrument*> askedInBlocks(
+std::vector<const questionnaires::Instrument*> instrumentsOfBlocks(
     const protocols::LoadedProtocol& loaded) {
   std::vector<const questionnaires::Instrument*> all;
   for (const auto& phase : loaded.protocol.phases) {
@@ -165,7 +165,7 @@ std::vector<const questionnaires::Instrument*> askedInBlocks(
 class WideNames {
  public:
   explicit WideNames(const protocols::LoadedProtocol& loaded) {
-    for (const auto* instrument : askedInBlocks(loaded)) {
+    for (const auto* instrument : instrumentsOfBlocks(loaded)) {
       for (const auto& item : instrument->items) add({instrument->id, item.id, false});
       for (const auto& score : instrument->scores) add({instrument->id, score.id, true});
     }
@@ -173,10 +173,10 @@ class WideNames {
 
   /// Empty for an item that only an earlier version of the protocol has.
   std::string ofItem(const std::string& instrument, const std::string& item) const {
-    return of({instrument, item, false});
+    return nameOfKey({instrument, item, false});
   }
   std::string ofScore(const std::string& instrument, const std::string& score) const {
-    return of({instrument, score, true});
+    return nameOfKey({instrument, score, true});
   }
 
  private:
@@ -187,7 +187,7 @@ class WideNames {
     auto operator<=>(const Key&) const = default;
   };
 
-  std::string of(const Key& key) const {
+  std::string nameOfKey(const Key& key) const {
     const auto found = names_.find(key);
     return found == names_.end() ? std::string() : found->second;
   }
@@ -200,20 +200,20 @@ class WideNames {
     std::ranges::replace_if(
         name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
     auto unique = name;
-    for (int number = 2; !taken_.insert(lowered(unique)).second; ++number) {
+    for (int number = 2; !usedNames_.insert(lowerCase(unique)).second; ++number) {
       unique = name + "_" + std::to_string(number);
     }
     names_.emplace(key, unique);
   }
 
-  static std::string lowered(std::string text) {
+  static std::string lowerCase(std::string text) {
     std::ranges::transform(
         text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
   }
 
   std::map<Key, std::string> names_;
-  std::set<std::string> taken_;
+  std::set<std::string> usedNames_;
 };
 
 Column<ExportedForms> itemColumn(
@@ -270,7 +270,7 @@ Table<ExportedForms> wideTable(const protocols::LoadedProtocol& loaded) {
       conditionColumn<C>()};
   const auto& language = loaded.protocol.languages.front();
   const WideNames names(loaded);
-  for (const auto* instrument : askedInBlocks(loaded)) {
+  for (const auto* instrument : instrumentsOfBlocks(loaded)) {
     for (const auto& item : instrument->items) {
       const bool isText = answerKindOf(item.type) == questionnaires::AnswerKind::Text;
       if (!isText && !item.isIdentifying) {
@@ -297,7 +297,8 @@ std::vector<ExportedForms> wideRows(
   using Key = std::tuple<SessionId, std::string_view, int>;
   std::map<Key, std::size_t> places;
   std::vector<ExportedForms> rows;
-  std::vector<std::map<std::string, std::vector<questionnaires::Answer>>> given;  // by instrument
+  std::vector<std::map<std::string, std::vector<questionnaires::Answer>>>
+      answersByInstrument;  // by instrument
   for (const auto& answer : answers) {
     const bool counts = answer.excluded.empty() && answer.alternative && answer.position;
     if (!counts || answer.record->step.kind != StepKind::Questionnaire) continue;
@@ -305,7 +306,7 @@ std::vector<ExportedForms> wideRows(
     const auto [found, isNew] = places.try_emplace(key, rows.size());
     if (isNew) {
       rows.push_back({answer, {}});
-      given.emplace_back();
+      answersByInstrument.emplace_back();
     }
     const auto& instrument = answer.record->step.instrument;
     const auto& item = answer.record->answer.item;
@@ -314,13 +315,14 @@ std::vector<ExportedForms> wideRows(
       const auto name = names.ofItem(instrument, item);
       if (!name.empty()) rows[found->second].cells[name] = answer.response;
     }
-    given[found->second][instrument].push_back({item, answer.record->answer.response});
+    answersByInstrument[found->second][instrument].push_back(
+        {item, answer.record->answer.response});
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (const auto* instrument : askedInBlocks(loaded)) {
+    for (const auto* instrument : instrumentsOfBlocks(loaded)) {
       for (const auto& score : instrument->scores) {
         const auto result =
-            questionnaires::scoreValue(*instrument, score, given[i][instrument->id]);
+            questionnaires::scoreValue(*instrument, score, answersByInstrument[i][instrument->id]);
         if (result) rows[i].cells[names.ofScore(instrument->id, score.id)] = *result;
       }
     }
@@ -334,7 +336,7 @@ Table<ExportedAnswer> responseTable() {
       .description =
           "One row per answer that is no text. An item that was not answered has no row: "
           "it is missing.",
-      .columns = joined(
+      .columns = concatenated(
           {columnsOfAnsweredStep(),
            columnsOfQuestion(),
            columnsOfAnswer(),
@@ -349,7 +351,7 @@ Table<ExportedAnswer> textTable() {
   return {
       .name = "texts",
       .description = "One row per text that a participant wrote as an answer.",
-      .columns = joined({columnsOfAnsweredStep(), columnsOfQuestion(), text, columnsOfUse()}),
+      .columns = concatenated({columnsOfAnsweredStep(), columnsOfQuestion(), text, columnsOfUse()}),
       .isFreeTextTable = true};
 }
 

@@ -17,7 +17,7 @@ std::optional<double> finite(const std::optional<double>& value) {
 
 /// A getter for a member of the row's test.
 template <typename Value>
-auto ofTest(Value TestRow::*member) {
+auto testMember(Value TestRow::*member) {
   return [member](const Row& row) { return row.test.*member; };
 }
 
@@ -30,7 +30,7 @@ auto valueOfNumber(analysis::NamedNumber TestRow::*number) {
 }
 
 /// A getter for a number that only some tests have.
-auto extra(const char* name) {
+auto additionalMember(const char* name) {
   return [name](const Row& row) { return row.test.additionalNumber(name); };
 }
 
@@ -75,7 +75,7 @@ std::vector<analysis::TestRow> exampleRows() {
 
 /// The distinct names that @p nameOf returns for the rows: "t, z, V".
 template <typename NameOf>
-std::string listed(
+std::string distinctNames(
     std::string text, const std::vector<analysis::TestRow>& rows, const NameOf& nameOf) {
   for (const auto& row : rows) {
     const std::string name(nameOf(row));
@@ -132,7 +132,7 @@ Columns<StatisticsRow> statisticsColumns() {
       {"unit", Text{}, "answer or participant", &Row::unit},
       {"method",
        Text{},
-       listed(
+       distinctNames(
            "welch, paired_t, sign_flip, signed_rank, mixed_model, ordinal_model, friedman, "
            "rm_anova, mann_whitney, brunner_munzel, order_slope, cronbach_alpha, shapiro_wilk, "
            "brown_forsythe, tost, bayes_factor, omega_total, answer_probability",
@@ -141,7 +141,7 @@ Columns<StatisticsRow> statisticsColumns() {
            "; not of a family: score, acceptability, felt_difference, and of every question by "
            "itself, "
            "as answered: item (numbers; n1 participants), item_option (choices; n1 forms)",
-       ofTest(&TestRow::id)},
+       testMember(&TestRow::id)},
       {"declared",
        Boolean{},
        "Whether the protocol declared it, before the first participant; all else is "
@@ -150,8 +150,8 @@ Columns<StatisticsRow> statisticsColumns() {
       {"n1",
        Integer{},
        "Units in group 1; pairs or participants where the design is paired",
-       ofTest(&TestRow::n1)},
-      {"n2", Integer{}, "Units in group 2", ofTest(&TestRow::n2)},
+       testMember(&TestRow::n1)},
+      {"n2", Integer{}, "Units in group 2", testMember(&TestRow::n2)},
       {"mean1", Number{}, "Mean of group 1", meanOf(0)},
       {"mean2", Number{}, "Mean of group 2", meanOf(1)},
       {"sd1", Number{}, "Standard deviation of group 1, with n - 1", deviationOf(0)},
@@ -163,43 +163,43 @@ Columns<StatisticsRow> statisticsColumns() {
        "felt_difference the mean over participants [N]; of "
        "item the median",
        [](const Row& row) { return row.test.estimate.value; }},
-      {"se", Number{}, "Its standard error", ofTest(&TestRow::standardError)},
+      {"se", Number{}, "Its standard error", testMember(&TestRow::standardError)},
       {"statistic_name",
        Text{},
-       listed(
+       distinctNames(
            "t, z, V, U, chi2, F, W, observed_share",
            tests,
            [](const auto& row) { return row.statistic.name; }),
        nameOfNumber(&TestRow::statistic)},
       {"statistic", Number{}, "Its value", valueOfNumber(&TestRow::statistic)},
-      {"df", Number{}, "Degrees of freedom; of F its first", ofTest(&TestRow::df)},
-      {"df2", Number{}, "Second degrees of freedom of F", ofTest(&TestRow::df2)},
+      {"df", Number{}, "Degrees of freedom; of F its first", testMember(&TestRow::df)},
+      {"df2", Number{}, "Second degrees of freedom of F", testMember(&TestRow::df2)},
       {"p",
        Number{},
        "Two-sided; of tost the larger of two one-sided ones; not corrected",
-       ofTest(&TestRow::p)},
-      {"log10_p", Number{}, "Decimal logarithm of p", ofTest(&TestRow::log10P)},
+       testMember(&TestRow::p)},
+      {"log10_p", Number{}, "Decimal logarithm of p", testMember(&TestRow::log10P)},
       {"p_permutation",
        Number{},
        "Of Friedman's test: exact, all permutations within people",
-       extra("p_permutation")},
+       additionalMember("p_permutation")},
       {"epsilon",
        Number{},
        "Greenhouse and Geisser's: how spherical the conditions are",
-       extra("epsilon")},
+       additionalMember("epsilon")},
       {"p_epsilon",
        Number{},
        "Of rm_anova: p with both degrees of freedom times epsilon",
-       extra("p_epsilon")},
+       additionalMember("p_epsilon")},
       {"equivalence_bound",
        Number{},
        "Of tost: differences below it count as none [points]",
-       extra("equivalence_bound")},
+       additionalMember("equivalence_bound")},
       {"p_adj_method",
        Text{},
        "bonferroni, holm, hochberg, hommel, bh, by, holm-sidak or none",
        &Row::adjustment},
-      {"p_adj", Number{}, "Corrected for the family", ofTest(&TestRow::adjusted)},
+      {"p_adj", Number{}, "Corrected for the family", testMember(&TestRow::adjusted)},
       {"alpha", Number{}, "Of the family", &Row::alpha},
       {"alpha_per_test", Number{}, "alpha / m, for the adjusted interval", &Row::alphaPerTest},
       {"conf_level", Number{}, "Confidence of the intervals", &Row::level},
@@ -215,7 +215,7 @@ Columns<StatisticsRow> statisticsColumns() {
       {"conf_high_adj", Number{}, "…", endOf(&TestRow::adjustedInterval, &Interval::high)},
       {"effect_name",
        Text{},
-       listed(
+       distinctNames(
            "g_z, cliff_delta, kendall_w, partial_eta2, odds_ratio, cronbach_alpha, omega_total, "
            "rank_biserial, bf10, probability",
            tests,

@@ -155,7 +155,7 @@ ExportedTable statisticsTable(
       .description = "One row per test, score or check; what is missing says why.",
       .columns = statisticsColumns(),
       .revealsCondition = true};
-  return filled(table, rows, readersOf(study, options));
+  return exportedTable(table, rows, readersOf(study, options));
 }
 
 }  // namespace study

@@ -90,7 +90,8 @@ std::size_t writeTraces(Study& study, const fs::path& folder, const ExportOption
   double seen = 0.0;
   const auto trials = records.trials();
   for (const auto& trial : trials) {
-    tell(options.progress, seen / static_cast<double>(trials.size()), "writing what was felt");
+    announceProgress(
+        options.progress, seen / static_cast<double>(trials.size()), "writing what was felt");
     seen += 1.0;
     const auto session = sessions.find(trial.step.visit.session);
     if (session == sessions.end() || trial.traceSamples == 0) continue;

@@ -31,7 +31,7 @@ auto endOf(
 
 /// A getter for a result of the test of equal shares.
 template <typename Member>
-auto tested(Member member) {
+auto testMember(Member member) {
   return [member](const ExportedVote& row) { return std::invoke(member, row.result->test); };
 }
 
@@ -94,13 +94,13 @@ Table<ExportedVote> voteTable() {
            {"p_exact",
             Number{},
             "That all are preferred equally often: exact multinomial test",
-            tested(&Test::exactP)},
+            testMember(&Test::exactP)},
            {"chi2",
             Number{},
             "The same by the chi-squared test, only roughly where votes are few",
-            tested(&Test::chiSquared)},
-           {"chi2_df", Number{}, "Its degrees of freedom", tested(&Test::degreesOfFreedom)},
-           {"p_chi2", Number{}, "Its p", tested(&Test::p)},
+            testMember(&Test::chiSquared)},
+           {"chi2_df", Number{}, "Its degrees of freedom", testMember(&Test::degreesOfFreedom)},
+           {"p_chi2", Number{}, "Its p", testMember(&Test::p)},
            {"reason",
             Text{},
             "Why something is missing",
@@ -109,7 +109,7 @@ Table<ExportedVote> voteTable() {
 }
 
 /// The ids of the preference items whose options are the alternatives of a block.
-std::string votedOn(const protocols::LoadedProtocol& loaded, const std::string& phase) {
+std::string preferenceItemsOf(const protocols::LoadedProtocol& loaded, const std::string& phase) {
   std::string items;
   const auto* instrument = loaded.instrument(loaded.protocol.phase(phase)->instrument);
   for (const auto& item : instrument->items) {
@@ -132,7 +132,7 @@ ExportedTable votesTable(
         rows.push_back(
             {.mode = one.runMode,
              .result = &vote,
-             .items = votedOn(study.protocol(), vote.phase),
+             .items = preferenceItemsOf(study.protocol(), vote.phase),
              .share = share,
              .conditionCode = codes.at(share.option),
              .wilson = analysis::wilsonInterval(share.votes, total, kVoteLevel),
@@ -142,7 +142,7 @@ ExportedTable votesTable(
     for (const auto& vote : one.votes) add(vote);
     for (const auto& vote : one.siteVotes) add(vote);
   }
-  return filled(voteTable(), rows, readersOf(study, options));
+  return exportedTable(voteTable(), rows, readersOf(study, options));
 }
 
 }  // namespace study

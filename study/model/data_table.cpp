@@ -29,14 +29,14 @@ std::string withFormulaEscaped(const std::string& text) {
 std::string csvCell(const Cell& cell, bool isFreeText) {
   if (const auto* flag = std::get_if<bool>(&cell)) return *flag ? "true" : "false";
   if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
-  if (const auto* number = std::get_if<double>(&cell)) return exactly(*number);
+  if (const auto* number = std::get_if<double>(&cell)) return exactDecimal(*number);
   if (const auto* text = std::get_if<std::string>(&cell)) {
     return quoted(isFreeText ? withFormulaEscaped(*text) : *text);
   }
   return {};
 }
 
-std::string exactly(double value) {
+std::string exactDecimal(double value) {
   std::array<char, 40> buffer{};
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return {buffer.data(), result.ptr};

@@ -25,7 +25,8 @@ struct Heading {
   std::string description;  ///< shown in reports and terminals
   bool isFreeText = false;  ///< entered by people: spreadsheets must not read it as a formula
 
-  /// The heading of words that may begin with what people entered, such as a title.
+  /// The heading of a column of words. They may begin with a title that people entered, so that
+  /// spreadsheets must not read them as formulas.
   static Heading ofWords(std::string name) { return {std::move(name), {}, true}; }
 };
 
@@ -75,6 +76,6 @@ std::string asCsv(const Table& table) {
 
 /// The shortest decimal text that parses back to exactly @p value, with a decimal point in every
 /// locale.
-std::string exactly(double value);
+std::string exactDecimal(double value);
 
 }  // namespace study

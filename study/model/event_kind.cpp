@@ -7,7 +7,7 @@
 namespace study {
 namespace {
 
-constexpr std::size_t kKnown = static_cast<std::size_t>(EventKind::Unknown);
+constexpr std::size_t kKnownKinds = static_cast<std::size_t>(EventKind::Unknown);
 
 struct EventFacts {
   std::string_view name;
@@ -18,7 +18,7 @@ constexpr EventPattern kSafety{
     "{times} times, {duration_s:.3f} s in all", "times", "{times} time, {duration_s:.3f} s in all"};
 
 /// One row for each EventKind but Unknown, in the order of the enumerators.
-constexpr std::array<EventFacts, kKnown> kFacts{
+constexpr std::array<EventFacts, kKnownKinds> kFacts{
     EventFacts{"made_study", {"{study}"}},
     EventFacts{"froze_protocol"},
     EventFacts{"amended_protocol", {"version {version}: {reason}"}},

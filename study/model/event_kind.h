@@ -112,9 +112,9 @@ static_assert(kindOf(SafetyKind::TorqueActive) == EventKind::SafetyTorqueActive)
 
 /// Patterns that describe the values of an event in English; names of values are in braces.
 struct EventPattern {
-  std::string_view english = {};  ///< empty: events of this kind have no named values
-  std::string_view counted = {};  ///< name of a value; if it is 1, ofOne replaces english
-  std::string_view ofOne = {};    ///< pattern for the singular
+  std::string_view english = {};       ///< empty: events of this kind have no named values
+  std::string_view countedValue = {};  ///< name of a value; if it is 1, singular replaces english
+  std::string_view singular = {};      ///< pattern for the singular
 };
 EventPattern patternOf(EventKind kind) noexcept;
 

@@ -21,7 +21,7 @@ class Cancelled : public std::runtime_error {
 };
 
 /// Calls @p progress if there is one.
-inline void tell(const Progress& progress, double share, const std::string& words) {
+inline void announceProgress(const Progress& progress, double share, const std::string& words) {
   if (progress) progress(share, words);
 }
 

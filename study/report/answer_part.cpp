@@ -33,7 +33,7 @@ class AnswerWriter : HtmlWriter {
       paragraph("Nothing can be compared yet: no completed session has answers to compare.");
     } else {
       sentences();
-      pooledAnswers();
+      putPooledWarning();
       html_ += caveatsOfRenderingAsHtml(section_);
     }
     if (family != nullptr) mainFigure(*family);
@@ -65,7 +65,7 @@ class AnswerWriter : HtmlWriter {
   }
 
   /// Writes the main weakness of pooled tests next to their p values.
-  void pooledAnswers() {
+  void putPooledWarning() {
     if (!areAnswersPooled(section_)) return;
     paragraph(
         "As the protocol declares, these tests take all answers of a person as independent: their "
@@ -76,7 +76,7 @@ class AnswerWriter : HtmlWriter {
 
   /// "Orthopaedic surgeons (6 participants)"; with the family's title if there are several.
   std::string cohortLabelOf(const FamilyResult& family, const CohortResult& part) const {
-    const auto complete = part.within.participants;  // who judged every method
+    const auto complete = part.within.participants;  // participants who judged every method
     const auto who = escaped(section_.words.count(
         complete > 0 ? complete : part.table.participants.size(),
         "{1} ({0} participant)",
@@ -89,53 +89,55 @@ class AnswerWriter : HtmlWriter {
   std::string sentenceOf(const FamilyResult& family, const CohortResult& part) const {
     const auto all = declaredIn(family, part);
     if (!isAnyDefined(family, part)) {
-      return all.empty() ? std::string() : notTested(all.front());
+      return all.empty() ? std::string() : notTestedInWords(all.front());
     }
-    const auto best = comparedWithOthers(section_, family);
-    const auto untested = std::ranges::find_if(all, [&](const auto& row) { return row.has(best); });
+    const auto mainAlternative = mainAlternativeOf(section_, family);
+    const auto untested =
+        std::ranges::find_if(all, [&](const auto& row) { return row.has(mainAlternative); });
     auto rows = all;
     std::erase_if(rows, [&](const auto& row) {
-      return !row.isDefined() || (!best.empty() && !row.has(best));
+      return !row.isDefined() || (!mainAlternative.empty() && !row.has(mainAlternative));
     });
     const auto isInDoubt = [&](const auto& row) { return report::isInDoubt(family, row); };
     const bool areAllInDoubt = rows.size() > 1 && std::ranges::all_of(rows, isInDoubt);
     std::string text;
-    std::string subject;  // of the clause before
+    std::string subject;  // the method with the higher rating in the clause before
     for (const auto& row : rows) {
       text += (text.empty() ? "" : "; ") +
               inWords(family, row, subject, !areAllInDoubt && isInDoubt(row));
-      subject = higherIn(row);
+      subject = higherMethodOf(row);
     }
     const auto none = say("no difference is significant.");
     const auto corrected = say("no difference is significant after correction.");
     const bool isCorrected = !nameOf(family.family.correction).empty();
     if (areAllInDoubt) text = (isCorrected ? corrected : none) + " " + text;
-    if (text.empty() && untested != all.end()) return notTested(*untested);
+    if (text.empty() && untested != all.end()) return notTestedInWords(*untested);
     return text + ".";
   }
 
-  std::string notTested(const Declared& row) const {
+  std::string notTestedInWords(const Declared& row) const {
     return say("nothing can be tested: {}.", section_.words(row.test->reason));
   }
 
-  static bool isTurned(const Declared& row) { return *row.difference->estimate.value < 0.0; }
-  static const std::string& higherIn(const Declared& row) {
-    return isTurned(row) ? row.group2 : row.group1;
+  static bool isSecondHigher(const Declared& row) { return *row.difference->estimate.value < 0.0; }
+  static const std::string& higherMethodOf(const Declared& row) {
+    return isSecondHigher(row) ? row.group2 : row.group1;
   }
 
   /// The clause on one comparison. It names the method with the higher rating first, unless that is
   /// the subject of the clause before.
-  /// @param saysDoubt  whether it says that the difference is not significant
+  /// @param saysDoubt  whether the clause says that the difference is not significant
   std::string inWords(
       const FamilyResult& family,
       const Declared& row,
       const std::string& subject,
       bool saysDoubt) const {
-    const double sign = isTurned(row) ? -1.0 : 1.0;
-    const auto& higher = section_.conditionTitle(higherIn(row));
-    const auto& lower = section_.conditionTitle(isTurned(row) ? row.group1 : row.group2);
+    const double sign = isSecondHigher(row) ? -1.0 : 1.0;
+    const auto& higher = section_.conditionTitle(higherMethodOf(row));
+    const auto& lower = section_.conditionTitle(isSecondHigher(row) ? row.group1 : row.group2);
     auto interval = row.difference->interval;
-    if (interval && isTurned(row)) interval = analysis::Interval{-interval->high, -interval->low};
+    if (interval && isSecondHigher(row))
+      interval = analysis::Interval{-interval->high, -interval->low};
     std::string numbers;
     if (interval) {
       numbers = section_.words.say(
@@ -161,7 +163,7 @@ class AnswerWriter : HtmlWriter {
     const auto alsoClear = say("{} points higher than {} ({})", points, lower, numbers);
     const auto alsoUnclear =
         say("{} points higher than {} (not significant: {})", points, lower, numbers);
-    const bool isSameSubject = higherIn(row) == subject;
+    const bool isSameSubject = higherMethodOf(row) == subject;
     if (isSameSubject) return withSubscripts(saysDoubt ? alsoUnclear : alsoClear);
     return withSubscripts(saysDoubt ? unclear : clear);
   }
@@ -213,10 +215,10 @@ class AnswerWriter : HtmlWriter {
 
   /// Whether the figure beside the answer leaves out comparisons.
   bool showsSomeOnly(const FamilyResult& family) const {
-    const auto best = comparedWithOthers(section_, family);
-    return !best.empty() && std::ranges::any_of(family.cohorts, [&](const auto& part) {
+    const auto mainAlternative = mainAlternativeOf(section_, family);
+    return !mainAlternative.empty() && std::ranges::any_of(family.cohorts, [&](const auto& part) {
       return std::ranges::any_of(
-          declaredIn(family, part), [&](const auto& row) { return !row.has(best); });
+          declaredIn(family, part), [&](const auto& row) { return !row.has(mainAlternative); });
     });
   }
 
@@ -239,7 +241,8 @@ class AnswerWriter : HtmlWriter {
     return std::ranges::all_of(section_.results.families, same) ? percent : mixed;
   }
 
-  /// The caption with the scale of all families; without it if theirs differ.
+  /// The caption, followed by the scale that all families have in common, if there is such a
+  /// scale.
   std::string withCommonScale(const std::string& caption) const {
     const auto& all = section_.results.families;
     const auto scale = scaleInWords(section_, all.front().family);
@@ -248,7 +251,8 @@ class AnswerWriter : HtmlWriter {
     return isCommon ? withScale(caption, all.front().family) : caption;
   }
 
-  /// With the test, if it is the same for all families.
+  /// The caption of the table of comparisons; with the declared test if that is the
+  /// same for all families.
   std::string captionOfComparisons() const {
     const auto& all = section_.results.families;
     const auto declared = declaredInWords(all.front().family, section_.words);
@@ -482,7 +486,7 @@ std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult&
   return all;
 }
 
-std::string comparedWithOthers(const ReportSection& section, const FamilyResult& family) {
+std::string mainAlternativeOf(const ReportSection& section, const FamilyResult& family) {
   const auto isCompared = [&](const std::string& id) {
     return std::ranges::any_of(family.cohorts, [&](const auto& part) {
       return std::ranges::any_of(declaredIn(family, part), [&](const auto& row) {

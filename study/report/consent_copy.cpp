@@ -17,7 +17,7 @@ namespace {
 using questionnaires::Item;
 
 /// The chosen option as it was shown; empty if the answer is neither a choice nor a number.
-std::string chosen(
+std::string chosenText(
     const Item& item, const questionnaires::Response& response, const std::string& language) {
   const auto textOf = [&](const std::string& id) -> std::string {
     const auto option = std::find_if(
@@ -78,8 +78,8 @@ class ConsentPage {
 
   std::string html() {
     const auto& study = protocol_.protocol.study;
-    tag("h1", study.title);
-    tag("p", words_.say("Copy for the participant {}", consent_.session.participant));
+    putElement("h1", study.title);
+    putElement("p", words_.say("Copy for the participant {}", consent_.session.participant));
     for (const auto& phase : protocol_.protocol.phases) {
       const bool isConsent = phase.type == protocols::PhaseType::Consent;
       if (!isConsent && phase.type != protocols::PhaseType::Information) continue;
@@ -92,12 +92,12 @@ class ConsentPage {
   }
 
  private:
-  void tag(const std::string& name, const std::string& words) {
+  void putElement(const std::string& name, const std::string& words) {
     html_ += "<" + name + ">" + escaped(words) + "</" + name + ">\n";
   }
 
   void text(const questionnaires::Instrument& instrument) {
-    tag("h2", instrument.title.in(language_));
+    putElement("h2", instrument.title.in(language_));
     html_ += htmlOf_(instrument.introduction.in(language_));
   }
 
@@ -105,11 +105,12 @@ class ConsentPage {
     for (const auto& item : instrument.items) {
       const auto answer = consent_.answers.find(item.id);
       if (item.isIdentifying) continue;
-      tag("h3", item.text.in(language_));
-      tag("p",
+      putElement("h3", item.text.in(language_));
+      putElement(
+          "p",
           answer == consent_.answers.end()
               ? words_("not answered")
-              : "→ " + chosen(item, answer->second.answer.response, language_));
+              : "→ " + chosenText(item, answer->second.answer.response, language_));
     }
   }
 
@@ -121,7 +122,7 @@ class ConsentPage {
             [](const auto& a, const auto& b) { return a.second.savedUtc < b.second.savedUtc; })
             ->second;
     const auto& instrument = *protocol_.instrument(consent_.instrument);
-    tag("p", words_("Signature, if one is asked for: ______________________________"));
+    putElement("p", words_("Signature, if one is asked for: ______________________________"));
     html_ += "<p class=\"note\">" +
              escaped(words_.say(
                  "Answered at {} (UTC). Text {}, version {}; protocol {}, SHA-256 {}.",

@@ -60,15 +60,15 @@ class CertificateRows {
              words_.count(report.answers, "{} answer", "{} answers") + ", " +
              words_.count(report.sessions, "of {} session", "of {} sessions")},
         {words_("Left"), words_("code, cohort, order, times of events, and that it was erased")},
-        {words_("Study's folder"), searched(report.filesWithTexts)}};
+        {words_("Study's folder"), searchResultIn(report.filesWithTexts)}};
     if (report.areNamesLocked) {
       rows.emplace_back(words_("Names"), words_("were behind a passphrase, and not searched for"));
     }
     for (const auto& copy : certificate_.copies) {
       rows.emplace_back(words_("Copy"), copy.folder + ": " + outcomeOf(copy));
     }
-    for (const auto& copy : certificate_.left) {
-      rows.emplace_back(words_("Copy that is left"), leftOf(copy));
+    for (const auto& copy : certificate_.notErasedFrom) {
+      rows.emplace_back(words_("Copy that is left"), knownCopyInWords(copy));
     }
     if (!report.whyNotListed.empty()) {
       rows.emplace_back(words_("Not listed here"), report.whyNotListed);
@@ -78,7 +78,7 @@ class CertificateRows {
   }
 
  private:
-  std::string searched(const std::vector<std::string>& files) const {
+  std::string searchResultIn(const std::vector<std::string>& files) const {
     const auto texts = certificate_.report.texts.size();
     const auto ignored = certificate_.report.texts.ignored();
     const auto ofShort = ignored == 0 ? std::string()
@@ -101,16 +101,16 @@ class CertificateRows {
       case ErasedCopy::Outcome::Removed:
         return words_("an export, removed");
       case ErasedCopy::Outcome::NotInCopy:
-        return words_("was not in it") + "; " + searched(copy.filesWithTexts);
+        return words_("was not in it") + "; " + searchResultIn(copy.filesWithTexts);
       case ErasedCopy::Outcome::Failed:
         return words_("NOT ERASED.") + " " + copy.whyNot;
       case ErasedCopy::Outcome::Erased:
         break;
     }
-    return words_("erased") + "; " + searched(copy.filesWithTexts);
+    return words_("erased") + "; " + searchResultIn(copy.filesWithTexts);
   }
 
-  std::string leftOf(const KnownCopy& copy) const {
+  std::string knownCopyInWords(const KnownCopy& copy) const {
     if (copy.folder.empty()) {
       return words_.say(
           "the consent form, of {}; where it was saved is not noted, because files may be named "

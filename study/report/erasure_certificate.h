@@ -12,8 +12,8 @@ namespace study::report {
 struct ErasureCertificate {
   std::string title;  ///< of the study
   ErasureReport report;
-  std::vector<ErasedCopy> copies;  ///< other copies that were named for erasure
-  std::vector<KnownCopy> left;     ///< other known copies, which were not erased from
+  std::vector<ErasedCopy> copies;        ///< other copies that were named for erasure
+  std::vector<KnownCopy> notErasedFrom;  ///< other known copies, which were not erased from
 
   /// Whether the search after the erasure found none of the participant's texts, and the erasure
   /// succeeded in every named copy.

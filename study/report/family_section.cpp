@@ -22,7 +22,7 @@ class FamilyWriter : HtmlWriter {
       paragraph("Nobody has answered yet.");
       return std::move(html_);
     }
-    if (section_.results.completed() == 1) return {};  // the answer has all
+    if (section_.results.completed() == 1) return {};  // the answer shows all there is
     means();
     if (isShownByPoint(result_)) {
       figureOrReference(MainFigure::Answers, figures_.answers, kAnswersCaption);
@@ -103,10 +103,10 @@ class FamilyWriter : HtmlWriter {
     if (std::ranges::none_of(result_.cohorts, isTested)) return;
     const auto correction = nameOf(result_.family.correction);
     table(
-        correction.empty() ? say("Welch’s t-tests, α = {}", exactly(result_.family.alpha))
+        correction.empty() ? say("Welch’s t-tests, α = {}", exactDecimal(result_.family.alpha))
                            : say("Welch’s t-tests with {} correction, α = {}",
                                  correction,
-                                 exactly(result_.family.alpha)),
+                                 exactDecimal(result_.family.alpha)),
         {say("Comparison"),
          say("Difference"),
          say("{:g} % CI", 100.0 * (1.0 - result_.family.alpha)),
@@ -156,11 +156,11 @@ class FamilyWriter : HtmlWriter {
       paragraph(
           "Exploratory: the slope of each person’s answers over the positions, and a one-sample "
           "t-test of these slopes.");
-      order();
+      putOrderEffect();
     }
     if (std::ranges::any_of(result_.cohorts, hasChecks)) {
       put("<h4>{}</h4>", say("The scale"));
-      scale();
+      putReliability();
     }
   }
 
@@ -173,7 +173,7 @@ class FamilyWriter : HtmlWriter {
     return std::ranges::any_of(part.checks.methods, isChecked);
   }
 
-  void order() {
+  void putOrderEffect() {
     put("<ul>");
     for (const auto& part : result_.cohorts) {
       if (!hasAnswers(part)) continue;
@@ -196,7 +196,7 @@ class FamilyWriter : HtmlWriter {
     put("</ul>");
   }
 
-  void scale() {
+  void putReliability() {
     bool isAnyImproper = false;
     table(
         say("Reliability of the statements"),

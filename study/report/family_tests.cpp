@@ -28,7 +28,7 @@ class TestsWriter : HtmlWriter {
         declaredInWords(result_.family, section_.words),
         result_.family.alpha);
     if (!isAnyTested()) {
-      nothingTested();
+      putReasonsNotTested();
       return std::move(html_);
     }
     overall();
@@ -57,7 +57,7 @@ class TestsWriter : HtmlWriter {
   }
 
   /// The reasons why no cohort has a test.
-  void nothingTested() {
+  void putReasonsNotTested() {
     for (const auto& part : result_.cohorts) {
       if (part.within.rows.empty() || !hasAnswers(part)) continue;
       put("<p><em>{}</em>: {}</p>", cohort(part.cohort), whyNotTested(part));
@@ -97,7 +97,7 @@ class TestsWriter : HtmlWriter {
   /// The numbers that are not in the table on page 1. That table has the differences, unless pooled
   /// tests are declared.
   void differences() {
-    const bool areShown = !result_.isNamed("welch");
+    const bool areDifferencesShown = !result_.isNamed("welch");
     const auto ci = say("{:g} % CI", 100.0 * (1.0 - result_.family.alpha));
     table(
         say("Differences of participants’ means"),
@@ -120,13 +120,14 @@ class TestsWriter : HtmlWriter {
       rowOver(
           cohort(part.cohort) + ", " +
           count(part.within.participants, "{} participant", "{} participants"));
-      for (const auto& comparison : part.within.rows) difference(comparison, areShown);
+      for (const auto& comparison : part.within.rows) difference(comparison, areDifferencesShown);
     }
     endTable();
     const auto bayes = say("BF: Bayes factor of a difference against none.");
     const auto odds = say("Odds ratio: of higher answers, by the ordinal mixed model.");
     put("<p class=\"note\">{}{}</p>",
-        areShown ? withReferences("The differences are in {}.", {"answer"}) + " " : std::string(),
+        areDifferencesShown ? withReferences("The differences are in {}.", {"answer"}) + " "
+                            : std::string(),
         bayes + (hasOdds_ ? " " + odds : std::string()));
   }
 
@@ -185,7 +186,7 @@ class TestsWriter : HtmlWriter {
     if (!text.empty()) put("<p class=\"note\">{}</p>", text);
   }
 
-  void difference(const analysis::WithinComparison& c, bool areShown) {
+  void difference(const analysis::WithinComparison& c, bool areDifferencesShown) {
     const auto& test = c.test("paired_t");
     if (!test.p) return row({pairOf(c)}, notDefined(test.reason));
     const auto* ordinal = analysis::findTest(c.tests, "ordinal_model");
@@ -193,8 +194,8 @@ class TestsWriter : HtmlWriter {
     hasOdds_ = hasOdds_ || hasOdds;
     row(
         {pairOf(c),
-         areShown ? std::string() : rounded(test.estimate.value, 2),
-         areShown ? std::string() : cellOf(test.interval),
+         areDifferencesShown ? std::string() : rounded(test.estimate.value, 2),
+         areDifferencesShown ? std::string() : cellOf(test.interval),
          cellOf(test.statistic.value, 2),
          test.df ? fmt::format("{:g}", *test.df) : std::string(),
          cellOf(test.effect.value, 2),
@@ -225,7 +226,7 @@ class TestsWriter : HtmlWriter {
         say("Brunner–Munzel p"),
         say("Cliff’s δ"),
         say("95 % CI")};
-    for (const auto* test : othersOf(result_.between.front())) {
+    for (const auto* test : otherTestsOf(result_.between.front())) {
       headings.push_back(say(analysis::statisticalTest(test->id).title) + ", p");
     }
     table(
@@ -247,14 +248,14 @@ class TestsWriter : HtmlWriter {
           cellOfP(b.test("brunner_munzel").p),
           cellOf(ranks.effect.value, 2),
           cellOf(ranks.effectInterval)};
-      for (const auto* test : othersOf(b)) cells.push_back(cellOfP(test->p));
+      for (const auto* test : otherTestsOf(b)) cells.push_back(cellOfP(test->p));
       row(cells);
     }
     endTable();
   }
 
   /// Tests between cohorts that have no column of their own.
-  static std::vector<const analysis::TestRow*> othersOf(const BetweenResult& result) {
+  static std::vector<const analysis::TestRow*> otherTestsOf(const BetweenResult& result) {
     std::vector<const analysis::TestRow*> others;
     for (const auto& test : result.tests) {
       if (test.id != "mann_whitney" && test.id != "brunner_munzel") others.push_back(&test);

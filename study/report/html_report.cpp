@@ -52,7 +52,7 @@ std::string contentsOf(std::vector<AppendixPart>& parts, const words::Words& wor
   return "<ul>" + items + "</ul>\n";
 }
 
-/// The answer of a study, then everything else, folded.
+/// The page of one study: first the answer, then all other parts, which are collapsed.
 std::string asHtml(const ReportSection& section) {
   std::string html = headAsHtml(section) + participantsAsHtml(section) + answerAsHtml(section);
   auto parts = appendixOf(section);
@@ -83,8 +83,8 @@ std::string bylineOf(const ReportSection& section) {
   return "<p class=\"byline\">" + escaped(line) + "</p>\n";
 }
 
-/// What a page that has been torn out must say: that nobody took part, of what it is, and from
-/// when.
+/// The footer of every page, so that a single printed page says from which study it is, when the
+/// sessions were, and whether they were simulated or pilot sessions.
 std::string footOf(const std::vector<ReportSection>& sections, const std::string& title) {
   const auto hasMode = [&](RunMode mode) {
     return std::ranges::any_of(

@@ -22,7 +22,7 @@ class InstrumentWriter : HtmlWriter {
             "statements.");
     const auto beyond =
         say("Intervals are Student’s: they may pass an end of the range, and are not cut there.");
-    put("<p class=\"note\">{}{}</p>", range, isBeyond_ ? " " + beyond : std::string());
+    put("<p class=\"note\">{}{}</p>", range, isIntervalBeyondScale_ ? " " + beyond : std::string());
     const auto* family = mainFamily(section_);
     if (family != nullptr) leftOutOfScore(family->family);
     if (hasConditionScore_ && family != nullptr && family->isNamed("welch")) {
@@ -32,8 +32,8 @@ class InstrumentWriter : HtmlWriter {
               "others where participants gave different numbers of answers.",
               {"answer"}));
     }
-    forEach([&](const auto&... of) { acceptability(of...); });
-    forEach([&](const auto&... of) { contradictions(of...); });
+    forEach([&](const auto&... parts) { acceptability(parts...); });
+    forEach([&](const auto&... parts) { contradictions(parts...); });
     return std::move(html_);
   }
 
@@ -82,11 +82,11 @@ class InstrumentWriter : HtmlWriter {
             summary.forms));
   }
 
-  /// A score of all participants, or of what they felt: a row of the table.
+  /// A row of the table: one score, of all forms or of the forms about one condition or occasion.
   struct ScoreRow {
     const questionnaires::Instrument* instrument;
     std::string score;
-    std::string about;                           ///< condition or occasion
+    std::string conditionOrOccasion;             ///< condition or occasion
     std::vector<const ScoreSummary*> summaries;  ///< by cohort
   };
 
@@ -96,16 +96,18 @@ class InstrumentWriter : HtmlWriter {
     forEach([&](const auto& instrument, const auto&, const auto& summary) {
       for (const auto& score : summary.scores) {
         if (score.values.empty() && score.missing == 0) continue;
-        const auto& about = score.condition.empty() ? score.occasion : score.condition;
+        const auto& conditionOrOccasion =
+            score.condition.empty() ? score.occasion : score.condition;
         auto same = std::ranges::find_if(rows, [&](const auto& row) {
-          return row.instrument == &instrument && row.score == score.score && row.about == about;
+          return row.instrument == &instrument && row.score == score.score &&
+                 row.conditionOrOccasion == conditionOrOccasion;
         });
         if (same == rows.end()) {
           same = rows.insert(
               rows.end(),
               {&instrument,
                score.score,
-               about,
+               conditionOrOccasion,
                std::vector<const ScoreSummary*>(cohorts.size(), nullptr)});
         }
         const auto place =
@@ -118,7 +120,7 @@ class InstrumentWriter : HtmlWriter {
 
   void scores() {
     const auto rows = scoreRows();
-    const auto ofPeople = [](std::size_t n) { return fmt::format(", {} = {}", kN, n); };
+    const auto sizeInWords = [](std::size_t n) { return fmt::format(", {} = {}", kN, n); };
     std::vector<std::string> columns{say("Score"), textHeading(say("About"))};
     std::vector<bool> isNInHeading;  // by cohort
     for (std::size_t i = 0; i < section_.results.flow.size(); ++i) {
@@ -129,13 +131,13 @@ class InstrumentWriter : HtmlWriter {
       isNInHeading.push_back(people.size() == 1);
       columns.push_back(
           cohort(section_.results.flow[i].cohort) +
-          (people.size() == 1 ? ofPeople(*people.begin()) : std::string()));
+          (people.size() == 1 ? sizeInWords(*people.begin()) : std::string()));
     }
     const auto ofAll = say("Scores of participants: M with SD in brackets, and 95 % CI");
     const auto ofOne = say("Scores of the participant");
     table(section_.results.completed() == 1 ? ofOne : ofAll, columns);
     const questionnaires::Instrument* last = nullptr;
-    for (const auto& [instrument, id, about, summaries] : rows) {
+    for (const auto& [instrument, id, conditionOrOccasion, summaries] : rows) {
       const auto& score = *instrument->score(id);
       const auto range = questionnaires::rangeOf(*instrument, score);
       if (instrument != last) group(escaped(instrument->title.in(section_.words.language())));
@@ -146,7 +148,7 @@ class InstrumentWriter : HtmlWriter {
       for (std::size_t i = 0; i < summaries.size(); ++i) {
         const auto* one = summaries[i];
         cells.push_back(one == nullptr ? std::string() : scoreCell(*one, range));
-        if (one != nullptr && !isNInHeading[i]) cells.back() += ofPeople(one->values.size());
+        if (one != nullptr && !isNInHeading[i]) cells.back() += sizeInWords(one->values.size());
       }
       row(cells);
     }
@@ -157,7 +159,9 @@ class InstrumentWriter : HtmlWriter {
   std::string scaleEndWords(const questionnaires::Range& range) const {
     if (range.low >= range.high) return {};
     return " (" +
-           say("{} to {}", withMinusSign(exactly(range.low)), withMinusSign(exactly(range.high))) +
+           say("{} to {}",
+               withMinusSign(exactDecimal(range.low)),
+               withMinusSign(exactDecimal(range.high))) +
            ")";
   }
 
@@ -172,8 +176,9 @@ class InstrumentWriter : HtmlWriter {
   /// "3.41 (1.09) [2.71, 4.10]", and how many have no score.
   std::string scoreCell(const ScoreSummary& score, const questionnaires::Range& range) {
     const auto& interval = score.interval;
-    isBeyond_ =
-        isBeyond_ || (interval && (interval->low < range.low || interval->high > range.high));
+    isIntervalBeyondScale_ =
+        isIntervalBeyondScale_ ||
+        (interval && (interval->low < range.low || interval->high > range.high));
     hasConditionScore_ = hasConditionScore_ || !score.condition.empty();
     const auto without = say("{} without a score", score.missing);
     const char* before = section_.wording == Wording::Vancouver ? ", " : " ";
@@ -215,7 +220,7 @@ class InstrumentWriter : HtmlWriter {
     endTable();
   }
 
-  bool isBeyond_ = false;
+  bool isIntervalBeyondScale_ = false;
   bool hasConditionScore_ = false;
 };
 

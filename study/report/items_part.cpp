@@ -152,7 +152,7 @@ class ItemsWriter : HtmlWriter {
     auto questions = questionsAskedOnce();
     if (questions.empty()) return;
     hasTable_ = true;
-    const auto ofPeople = [](std::size_t n) { return fmt::format(", {} = {}", kN, n); };
+    const auto sizeInWords = [](std::size_t n) { return fmt::format(", {} = {}", kN, n); };
     std::vector<std::string> columns{say("Question")};
     for (std::size_t i = 0; i < section_.results.flow.size(); ++i) {
       std::set<std::size_t> people;  // the different numbers of participants in the column
@@ -162,9 +162,9 @@ class ItemsWriter : HtmlWriter {
       const bool isSame = people.size() == 1;
       columns.push_back(
           cohort(section_.results.flow[i].cohort) +
-          (isSame ? ofPeople(*people.begin()) : std::string()));
+          (isSame ? sizeInWords(*people.begin()) : std::string()));
       for (auto& one : questions) {
-        if (!one.cells[i].empty() && !isSame) one.cells[i] += ofPeople(one.sizes[i]);
+        if (!one.cells[i].empty() && !isSame) one.cells[i] += sizeInWords(one.sizes[i]);
       }
     }
     table(say("Questions that were asked once, M with SD in brackets"), columns);
@@ -373,7 +373,7 @@ class ItemsWriter : HtmlWriter {
     }
   }
 
-  /// Whether all texts are the same several times, as simulated ones are.
+  /// Whether there are several texts and all are the same, as in simulated sessions.
   static bool areAlike(const std::vector<Quote>& quotes) {
     return quotes.size() > 1 && std::ranges::all_of(quotes, [&](const auto& quote) {
              return quote.text == quotes.front().text;

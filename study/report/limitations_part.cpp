@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t kMostLimitationsOnFirstPage = 4;
 
-/// In kFlagsBySeverity, the last that weighs more than conditions that can be told apart.
+/// The index in kFlagsBySeverity of the last flag that weighs more than a disclosure (conditions
+/// that participants can tell apart).
 constexpr std::ptrdiff_t kLastSeverityBeforeDisclosures = 2;
 
 /// Warnings about a study's files that say nothing about its results.
@@ -64,7 +65,7 @@ bool isIn(const std::array<std::string_view, count>& ids, std::string_view id) {
   return std::ranges::find(ids, id) != ids.end();
 }
 
-/// A sentence that was found, and the ids of the cohorts to which it applies.
+/// A sentence that describes a limitation, and the ids of the cohorts to which it applies.
 struct LimitationFinding {
   std::string sentence;
   std::vector<std::string> cohorts;
@@ -93,7 +94,7 @@ class LimitationsWriter : HtmlWriter {
     return std::move(html_);
   }
 
-  std::string briefly() {
+  std::string weaknessesInBrief() {
     if (section_.results.completed() == 0) return {};
     const auto points = allPoints();
     heading("What weakens the answer");
@@ -112,17 +113,17 @@ class LimitationsWriter : HtmlWriter {
             "“Limitations” in "
             "the appendix says what they look for.",
             std::ranges::count_if(kFlagsBySeverity, [&](auto id) { return isLookedFor(id); }));
-    const auto ofOne = say("The checks of the compared answers need more participants.");
+    const auto singlePersonText = say("The checks of the compared answers need more participants.");
     const auto explained = say("All of it is explained in the appendix, under “Limitations”.");
     const bool isOfOne = section_.results.completed() == 1;
-    put("<p class=\"note\">{}</p>", hasFlags ? explained : isOfOne ? ofOne : none);
+    put("<p class=\"note\">{}</p>", hasFlags ? explained : isOfOne ? singlePersonText : none);
     return std::move(html_);
   }
 
   std::string all() {
     if (section_.results.completed() == 0) return {};
     put("<dl class=\"flags\">");
-    sample();
+    putSampleSize();
     const auto found = limitations();
     for (const auto& limitation : found) {
       const auto& flag = *limitation.flag;
@@ -144,14 +145,14 @@ class LimitationsWriter : HtmlWriter {
       explain(say("Corrections within each family and cohort"), chance + ".");
     }
     put("</dl>");
-    notFound(found);
+    putChecksWithoutFinding(found);
     std::string items;
     for (const auto& warning : warnings()) items += "<li>" + warning + ".</li>";
     if (!items.empty()) put("<p>{}</p><ul>{}</ul>", say("The design:"), items);
     return std::move(html_);
   }
 
-  /// What all() explains, with its sources.
+  /// The flags that all() explains, with their sources.
   std::vector<const analysis::Flag*> explainedFlags() const {
     std::vector<const analysis::Flag*> flags;
     for (const auto& limitation : limitations()) flags.push_back(limitation.flag);
@@ -177,8 +178,8 @@ class LimitationsWriter : HtmlWriter {
   /// The titles of all weaknesses, the heaviest first.
   std::vector<std::string> allPoints() const {
     std::vector<std::string> points;
-    if (const auto alone = aloneInWords(); !alone.empty()) points.push_back(alone);
-    if (const auto fewer = fewerInWords(); !fewer.empty()) {
+    if (const auto alone = singleParticipantsInWords(); !alone.empty()) points.push_back(alone);
+    if (const auto fewer = missingParticipantsInWords(); !fewer.empty()) {
       points.push_back(say("Fewer participants than planned") + ": " + fewer);
     }
     const auto disclosed = disclosuresInWords(section_);
@@ -209,7 +210,7 @@ class LimitationsWriter : HtmlWriter {
   }
 
   /// The cohorts in which only one person completed, in a study of several.
-  std::string aloneInWords() const {
+  std::string singleParticipantsInWords() const {
     std::vector<std::string> alone;
     for (const auto& flow : section_.results.flow) {
       if (flow.completed == 1) alone.push_back(flow.cohort);
@@ -220,7 +221,7 @@ class LimitationsWriter : HtmlWriter {
   }
 
   /// "Orthopaedic surgeons 1 of 6"; empty if all that were planned completed.
-  std::string fewerInWords() const {
+  std::string missingParticipantsInWords() const {
     std::string fewer;
     for (const auto& flow : section_.results.flow) {
       const auto* planned = section_.protocol.cohort(flow.cohort);
@@ -232,13 +233,13 @@ class LimitationsWriter : HtmlWriter {
     return fewer;
   }
 
-  void sample() {
-    const auto alone = aloneInWords();
-    const auto ofOne =
+  void putSampleSize() {
+    const auto alone = singleParticipantsInWords();
+    const auto singlePersonText =
         say("The numbers are those of one person: nothing can be compared, and they show "
             "what this person answered. Answers to single items are left out.");
-    if (!alone.empty()) explain(alone, ofOne);
-    const auto fewer = fewerInWords();
+    if (!alone.empty()) explain(alone, singlePersonText);
+    const auto fewer = missingParticipantsInWords();
     const auto early =
         say("Differences are known less well than planned; where the results decided when to stop, "
             "p values lose their meaning.");
@@ -336,16 +337,16 @@ class LimitationsWriter : HtmlWriter {
     return isBrief ? brief : sentence;
   }
 
-  /// Whether a weakness could be found: in virtual time no loop is late, and of one participant
-  /// there are neither tests nor distributions.
+  /// Whether this weakness can be looked for: in simulated time no tick is late, and a study of one
+  /// participant has neither tests nor distributions.
   bool isLookedFor(std::string_view id) const {
     if (id == "late_ticks") return section_.quality.worstLateness.has_value();
     return section_.results.completed() != 1 || !isIn(kFlagsThatNeedSeveralPeople, id);
   }
 
-  /// What was looked for and not found, and what could not be looked for. Of one participant most
-  /// was not looked for.
-  void notFound(const std::vector<Limitation>& found) {
+  /// Writes which weaknesses were looked for and not found, and which could not be looked for.
+  /// Writes nothing for a study of one participant, where most could not be looked for.
+  void putChecksWithoutFinding(const std::vector<Limitation>& found) {
     if (section_.results.completed() == 1) return;
     std::string absent;
     std::string unknown;
@@ -477,7 +478,7 @@ std::string caveatsOfRenderingAsHtml(const ReportSection& section) {
 }
 
 std::string weaknessesAsHtml(const ReportSection& section) {
-  return LimitationsWriter(section).briefly();
+  return LimitationsWriter(section).weaknessesInBrief();
 }
 
 std::vector<const analysis::Flag*> explainedFlags(const ReportSection& section) {

@@ -152,14 +152,14 @@ class MethodsWriter : HtmlWriter {
   /// The models of the conditions, each once. Models of the same works are cited together.
   std::string models() {
     std::string text;
-    std::string cited;  // by the clauses since the last citation
+    std::string publicationsToCite;  // for the clauses since the last citation
     const auto cite = [&] {
-      if (!cited.empty()) text += " " + citations_.cite(cited) + ".";
-      cited.clear();
+      if (!publicationsToCite.empty()) text += " " + citations_.cite(publicationsToCite) + ".";
+      publicationsToCite.clear();
     };
     for (std::size_t kind = 0; kind < kModels.size(); ++kind) {
       const auto english =
-          section_.words(kModels[kind].english);  // of all: tests find missing ones
+          section_.words(kModels[kind].english);  // of every model, so that tests find missing ones
       std::string conditions;
       auto publications = std::string(kModels[kind].publications);
       for (const auto& one : section_.protocol.conditions) {
@@ -170,10 +170,10 @@ class MethodsWriter : HtmlWriter {
         conditions += (conditions.empty() ? "" : ", ") + section_.conditionTitle(one.id);
       }
       if (conditions.empty()) continue;
-      if (publications != cited) cite();
-      text += text.empty() ? "" : cited.empty() ? " " : "; ";
+      if (publications != publicationsToCite) cite();
+      text += text.empty() ? "" : publicationsToCite.empty() ? " " : "; ";
       text += conditions + ": " + english;
-      cited = publications;
+      publicationsToCite = publications;
     }
     cite();
     return escaped(text);
@@ -239,8 +239,8 @@ class MethodsWriter : HtmlWriter {
     const auto simulated = say("The protocol prescribes what follows; all of it was simulated.");
     if (section_.results.runMode == RunMode::Simulated) text = simulated + " ";
     std::string last;                // what was done in the last block
-    std::vector<std::string> forms;  // that follow each other
-    const auto filledIn = [&] {
+    std::vector<std::string> forms;  // forms that directly follow each other
+    const auto addForms = [&] {
       const auto sentence = say("They filled in {}.", listed(forms, section_.words));
       if (!forms.empty()) text += sentence + " ";
       forms.clear();
@@ -250,9 +250,9 @@ class MethodsWriter : HtmlWriter {
         forms.push_back(section_.words.say("“{}”", section_.titleOf(phase.instrument)));
         continue;
       }
-      filledIn();
+      addForms();
       if (phase.type != PhaseType::Block) {
-        text += outsideOfBlocks(phase) + " ";
+        text += phaseOutsideBlocks(phase) + " ";
         continue;
       }
       const auto done = block(phase);
@@ -261,11 +261,11 @@ class MethodsWriter : HtmlWriter {
       text += (done == last ? likewise : say("In {}, {}", title, done)) + " ";
       last = done;
     }
-    filledIn();
+    addForms();
     return text;
   }
 
-  std::string outsideOfBlocks(const protocols::Phase& phase) const {
+  std::string phaseOutsideBlocks(const protocols::Phase& phase) const {
     const auto title =
         phase.instrument.empty() ? std::string() : section_.titleOf(phase.instrument);
     switch (phase.type) {
@@ -350,7 +350,8 @@ class MethodsWriter : HtmlWriter {
     list("What was seen came from:", true);
   }
 
-  /// A list of the scenes' sources: those that are shown on the screen, or those that are felt.
+  /// Writes a list of the sources of what scenes show on the screen, or of the forces that they
+  /// render, each with its conditions.
   void list(std::string_view words, bool isShownOnScreen) {
     std::string lines;
     for (const auto& source : section_.sources) {

@@ -17,19 +17,20 @@ struct Target {
 };
 
 /// An element that has a caption.
-struct Captioned {
+struct CaptionedElement {
   std::string_view element;      ///< its opening tag
   std::string_view caption;      ///< the beginning of its caption's tag
   std::string_view id;           ///< what its id begins with
   std::string_view labelFormat;  ///< "Table {}"
 };
-constexpr std::array kCaptioned{
-    Captioned{"<table>", "<caption", "table-", "Table {}"},
-    Captioned{"<figure>", "<figcaption", "figure-", "Figure {}"}};
+constexpr std::array kCaptionedElements{
+    CaptionedElement{"<table>", "<caption", "table-", "Table {}"},
+    CaptionedElement{"<figure>", "<figcaption", "figure-", "Figure {}"}};
 
 using Position = std::string::size_type;
 
-/// The key of a caption whose tag begins at @p at, which is removed; empty if it has none.
+/// Removes the key from the tag of a caption, which begins at @p at, and returns it; empty if the
+/// caption has no key.
 std::string takeKey(std::string& html, Position at) {
   constexpr std::string_view kId = " id=\"";
   const auto end = html.find('>', at);
@@ -61,8 +62,8 @@ void fillInReferences(std::string& html, const std::map<std::string, Target>& ta
 std::string Numbering::numbered(const std::string& page, const words::Words& words) {
   std::string html = page;
   std::map<std::string, Target> targets;
-  for (std::size_t kind = 0; kind < kCaptioned.size(); ++kind) {
-    const auto& [element, caption, prefix, labelFormat] = kCaptioned[kind];
+  for (std::size_t kind = 0; kind < kCaptionedElements.size(); ++kind) {
+    const auto& [element, caption, prefix, labelFormat] = kCaptionedElements[kind];
     for (auto at = html.find(element); at != std::string::npos; at = html.find(element, at + 1)) {
       const auto tag = html.find(caption, at);
       if (tag == std::string::npos) break;

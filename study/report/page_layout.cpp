@@ -58,8 +58,8 @@ bool isNote(const QTextBlock& block) {
   return !first.atEnd() && first.fragment().charFormat().foreground().color() == QColor(0x444444);
 }
 
-/// Whether a paragraph has to be on the page of the next one for the sake of a list: none of its
-/// items is alone on a page, and a note below it stays with it.
+/// Whether a paragraph must be on the same page as the next one because of a list: no item of a
+/// list may be alone on a page, and a note below a list stays with the list.
 bool isBesideItem(const QTextBlock& block) {
   const auto* list = block.textList();
   if (list == nullptr) {
@@ -122,7 +122,7 @@ void copyCell(const QTextTableCell& from, QTextTableCell to) {
 }
 
 /// Moves the rows of a table from @p row on to a table of their own on the next page.
-void divide(QTextTable& table, int row, const QString& continued) {
+void divide(QTextTable& table, int row, const QString& continuationMark) {
   const int heads = table.format().headerRowCount();
   const int moved = table.rows() - row;
   QTextCursor cursor(table.document());
@@ -139,7 +139,7 @@ void divide(QTextTable& table, int row, const QString& continued) {
       copyCell(cell, next->cellAt(i, column));
     }
   }
-  next->cellAt(0, 0).lastCursorPosition().insertText(QStringLiteral(" (%1)").arg(continued));
+  next->cellAt(0, 0).lastCursorPosition().insertText(QStringLiteral(" (%1)").arg(continuationMark));
   table.removeRows(row, moved);
 }
 
@@ -220,7 +220,7 @@ void fitColumns(QTextTable& table, double page, double padding) {
 }
 
 /// The upper and the lower end of the text in a row.
-std::pair<double, double> textOf(const QTextTable& table, int row) {
+std::pair<double, double> textExtentOf(const QTextTable& table, int row) {
   const auto* layout = table.document()->documentLayout();
   std::pair ends(std::numeric_limits<double>::max(), 0.0);
   for (int column = 0; column < table.columns(); ++column) {
@@ -236,9 +236,9 @@ std::pair<double, double> textOf(const QTextTable& table, int row) {
 double edgeAbove(const QTextTable& table, int row) {
   const double margin =
       kRuleMargin * table.document()->documentLayout()->paintDevice()->logicalDpiY() / 96.0;
-  if (row == 0) return textOf(table, 0).first - margin;
-  const double above = textOf(table, row - 1).second;
-  return row == table.rows() ? above + margin : 0.5 * (above + textOf(table, row).first);
+  if (row == 0) return textExtentOf(table, 0).first - margin;
+  const double above = textExtentOf(table, row - 1).second;
+  return row == table.rows() ? above + margin : 0.5 * (above + textExtentOf(table, row).first);
 }
 
 std::vector<Item> itemsOf(const QTextDocument& document) {
@@ -311,13 +311,13 @@ double headHeightOf(const QTextTable& table) {
 }
 
 /// Shrinks the figure before a table, if the table then fits on the same page.
-bool shrinkFor(const std::vector<Item>& items, std::size_t table, double bottom) {
+bool shrinkFigureBefore(const std::vector<Item>& items, std::size_t table, double bottom) {
   if (table < 2 || items[table].table == nullptr || !items[table - 2].isFigure) return false;
   const auto& figure = items[table - 2];
   // on one page the table needs its head only once
-  const double tooMuch = items[table].bottom - bottom - headHeightOf(*items[table].table);
-  const double factor = 1.0 - tooMuch / figure.figureHeight;
-  const bool isHelpful = tooMuch < items[table].bottom - items[table].top && factor >= kLeastScale;
+  const double excess = items[table].bottom - bottom - headHeightOf(*items[table].table);
+  const double factor = 1.0 - excess / figure.figureHeight;
+  const bool isHelpful = excess < items[table].bottom - items[table].top && factor >= kLeastScale;
   if (!isHelpful || isShrunk(figure)) return false;
   shrink(figure, 0.99 * factor);
   return true;
@@ -334,8 +334,8 @@ bool beginPageAfterTable(const std::vector<Item>& items, std::size_t at, double 
   if (left > page / 128.0 + kSlack) return false;
   auto format = block.blockFormat();
   const auto* paper = block.document()->documentLayout()->paintDevice();
-  format.setTopMargin(left);  // is the one that applies before a table; it is not scaled
-  format.setBottomMargin(left * 96.0 / paper->logicalDpiY());  // before a block
+  format.setTopMargin(left);  // applies if a table follows; Qt does not scale it
+  format.setBottomMargin(left * 96.0 / paper->logicalDpiY());  // applies if a paragraph follows
   QTextCursor(block).setBlockFormat(format);
   setPageBreak(items[at + 1], QTextFormat::PageBreak_Auto);
   return true;
@@ -375,7 +375,7 @@ bool keepTogether(const std::vector<Item>& items, std::size_t begin, std::size_t
     return true;
   }
   if (beginsPage(items[begin], page) || begin == 0) return false;
-  if (shrinkFor(items, begin, bottom)) return true;
+  if (shrinkFigureBefore(items, begin, bottom)) return true;
   setPageBreak(items[begin], QTextFormat::PageBreak_AlwaysBefore);
   return true;
 }
@@ -383,7 +383,7 @@ bool keepTogether(const std::vector<Item>& items, std::size_t begin, std::size_t
 /// Puts the note of a table on the page on which the table ends: begins a page before the last
 /// rows, or before the table. Returns whether it changed something.
 bool keepNote(
-    const std::vector<Item>& items, std::size_t at, double page, const QString& continued) {
+    const std::vector<Item>& items, std::size_t at, double page, const QString& continuationMark) {
   auto* table = items[at].table;
   if (table == nullptr || at + 1 == items.size() || items[at + 1].table != nullptr) return false;
   if (!isNote(items[at + 1].block) || breaksPage(items[at + 1])) return false;
@@ -394,7 +394,7 @@ bool keepNote(
   for (int i = 0; i < table->rows(); ++i) hasGroups = hasGroups || spansColumns(*table, i);
   while (hasGroups && row >= kFirstRows - 1 && !spansColumns(*table, row)) --row;
   if (row >= kFirstRows - 1) {
-    divide(*table, row, continued);
+    divide(*table, row, continuationMark);
     return true;
   }
   while (at > 0 && items[at - 1].keepsNext()) --at;  // a heading goes with its table
@@ -441,7 +441,7 @@ void layOutAgain(QTextDocument& document) {
   document.setPageSize(size);
 }
 
-void choosePageBreaks(QTextDocument& document, const QString& continued) {
+void choosePageBreaks(QTextDocument& document, const QString& continuationMark) {
   const double page = document.pageSize().height();
   auto items = itemsOf(document);
   const auto layOut = [&] {
@@ -449,16 +449,16 @@ void choosePageBreaks(QTextDocument& document, const QString& continued) {
     items = itemsOf(document);
   };
   // A change does not move the items before it, so each item is changed at most three times.
-  for (std::size_t begin = 0, looked = 0; begin < items.size();) {
+  for (std::size_t begin = 0, lastChecked = 0; begin < items.size();) {
     // Removes a break that leaves too much of a page empty. Breaks set by this loop are not
     // checked.
-    if (begin > looked && leavesRoom(items, begin, page)) {
+    if (begin > lastChecked && leavesRoom(items, begin, page)) {
       setPageBreak(items[begin], QTextFormat::PageBreak_Auto);
       layOut();
-      looked = begin;
+      lastChecked = begin;
       continue;
     }
-    looked = begin;
+    lastChecked = begin;
     std::size_t end = begin;
     while (end + 1 < items.size() && items[end].keepsNext()) ++end;
     if (keepTogether(items, begin, end, page)) {
@@ -467,14 +467,14 @@ void choosePageBreaks(QTextDocument& document, const QString& continued) {
     }
     if (items[begin].division) {
       const double bottom = (std::floor((items[begin].top + kSlack) / page) + 1.0) * page;
-      if (shrinkFor(items, begin, bottom)) {
+      if (shrinkFigureBefore(items, begin, bottom)) {
         layOut();
         continue;
       }
-      divide(*items[begin].table, *items[begin].division, continued);
+      divide(*items[begin].table, *items[begin].division, continuationMark);
       layOut();
     }
-    if (keepNote(items, begin, page, continued)) layOut();
+    if (keepNote(items, begin, page, continuationMark)) layOut();
     if (beginPageAfterTable(items, begin, page)) layOut();
     ++begin;  // the rest of a chain is checked again: its heading may have filled a page
   }

@@ -34,8 +34,8 @@ std::vector<TableRule> rulesOf(const QTextDocument& document);
 /// Chooses where the pages of a document begin: a heading stays with what follows, a figure with
 /// its caption. A figure that does not fit on the page is shrunk a little if that is enough. A
 /// long table is divided between its groups of rows, or where several rows are on each page; what
-/// is on the next page has the same head and is marked as @p continued, in brackets.
-void choosePageBreaks(QTextDocument& document, const QString& continued);
+/// is on the next page has the same head and is marked as @p continuationMark, in brackets.
+void choosePageBreaks(QTextDocument& document, const QString& continuationMark);
 
 /// Gives the entries of each list of contents, which follows a heading of the second level that
 /// begins a page, the number of the page of their heading of the third level. Has to be called

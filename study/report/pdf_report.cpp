@@ -174,12 +174,13 @@ std::vector<std::pair<QTextBlock, QBrush>> takeBackgrounds(QTextDocument& docume
 }
 
 /// Paints all pages with their footers.
-/// @param printed  the text of the footer, beside which is the page's number
-void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font, const PrintHtml& printed) {
+/// @param printHtml  the text of the footer, beside which is the page's number
+void paintPages(
+    QTextDocument& document, QPdfWriter& writer, QFont font, const PrintHtml& printHtml) {
   const auto backgrounds = takeBackgrounds(document);
   layOutAgain(document);
   const auto rules = rulesOf(document);
-  const auto words = words::wordsIn(printed.language);
+  const auto words = words::wordsIn(printHtml.language);
   const QSizeF page = document.pageSize();
   QPainter painter(&writer);
   QAbstractTextDocumentLayout::PaintContext context;
@@ -197,15 +198,15 @@ void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font, const P
         foot.adjusted(0.0, 0.0, -0.12 * foot.width(), 0.0),
         Qt::AlignLeft | Qt::AlignBottom,
         painter.fontMetrics().elidedText(
-            QString::fromStdString(printed.foot),
+            QString::fromStdString(printHtml.foot),
             Qt::ElideRight,
             static_cast<int>(0.88 * foot.width())));
-    const QRectF seen(QPointF(0.0, number * page.height()), page);
+    const QRectF pageArea(QPointF(0.0, number * page.height()), page);
     // lines that only touch the page belong to its neighbour
-    context.clip = seen.adjusted(0.0, 1.0, 0.0, -1.0);
+    context.clip = pageArea.adjusted(0.0, 1.0, 0.0, -1.0);
     painter.save();
-    painter.translate(0.0, -seen.top());
-    painter.setClipRect(seen);
+    painter.translate(0.0, -pageArea.top());
+    painter.setClipRect(pageArea);
     for (const auto& [block, brush] : backgrounds) {
       const double padding = 6.0 * writer.logicalDpiY() / 96.0;
       const auto text = document.documentLayout()->blockBoundingRect(block);
@@ -215,7 +216,7 @@ void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font, const P
     document.documentLayout()->draw(&painter, context);
     for (const auto& [line, thickness] : rules) {
       painter.setPen(QPen(Qt::black, thickness, Qt::SolidLine, Qt::FlatCap));
-      if (seen.contains(line.center())) painter.drawLine(line);
+      if (pageArea.contains(line.center())) painter.drawLine(line);
     }
     painter.restore();
   }

@@ -15,7 +15,7 @@ class PreferenceWriter : HtmlWriter {
   std::string all() {
     if (section_.results.votes.empty()) return {};
     const auto tables = voteTables(section_.results);
-    for (const auto& one : tables) tableOf(one);
+    for (const auto& one : tables) putVoteTable(one);
     const auto exact =
         say("Exact multinomial test of equal shares, for each round by itself (exploratory).");
     const bool isTested = std::ranges::any_of(
@@ -44,7 +44,7 @@ class PreferenceWriter : HtmlWriter {
   }
 
   /// As Table 4 of the punch paper: by cohort and round, with sums and the total.
-  void tableOf(const VoteTable& votes) {
+  void putVoteTable(const VoteTable& votes) {
     std::vector<std::string> columns{say("Cohort"), textHeading(say("After"))};
     for (const auto& option : votes.options) columns.push_back(condition(option));
     columns.push_back(say("exact p"));
@@ -54,22 +54,24 @@ class PreferenceWriter : HtmlWriter {
     table(hasIntervals() ? withIntervals : plain, columns);
     for (const auto& one : votes.cohorts) {
       if (one.sum.total() == 0) continue;
-      for (const auto* vote : one.rounds) rowOf(*vote);
-      if (one.rounds.size() > 1) rowOf(cohort(one.cohort), say("Sum"), one.sum);
+      for (const auto* vote : one.rounds) putVoteRow(*vote);
+      if (one.rounds.size() > 1) putVoteRow(cohort(one.cohort), say("Sum"), one.sum);
     }
     const auto areCast = [](const auto& one) { return one.sum.total() > 0; };
-    if (std::ranges::count_if(votes.cohorts, areCast) > 1) rowOf(say("Total"), {}, votes.total);
+    if (std::ranges::count_if(votes.cohorts, areCast) > 1)
+      putVoteRow(say("Total"), {}, votes.total);
     endTable();
   }
 
-  void rowOf(const std::string& who, const std::string& when, const analysis::VoteCounts& sum) {
+  void putVoteRow(
+      const std::string& who, const std::string& when, const analysis::VoteCounts& sum) {
     std::vector<std::string> cells{who, when};
     for (const auto& share : sum.shares()) cells.push_back(std::to_string(share.votes));
     cells.emplace_back();
     row(cells);
   }
 
-  void rowOf(const VoteResult& vote) {
+  void putVoteRow(const VoteResult& vote) {
     std::vector<std::string> cells{cohort(vote.cohort), escaped(section_.blockTitle(vote.block))};
     const auto shares = vote.votes.shares();
     for (std::size_t i = 0; i < shares.size(); ++i) {

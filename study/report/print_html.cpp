@@ -27,8 +27,9 @@ td.caption { font-size: 8pt; padding-left: 0px; padding-top: 12px; }
 code { font-size: 7pt; }
 )css";
 
-/// Elements, and what stands for them on paper: a heading is kept with what follows it.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kOnPaper{
+/// Tags of the page, and what replaces them on paper. The title of a flag becomes a heading,
+/// because a heading stays on the page of what follows it.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kPaperElements{
     {{"<dl class=\"flags\">", ""},
      {"</dl>", ""},
      {"<dt>", "<h4>"},
@@ -114,7 +115,7 @@ void unlinkAndUnfold(std::string& html) {
 }
 
 /// The number of columns in the first row of a table's head, searched from @p at.
-int columnsAt(const std::string& html, std::size_t at) {
+int columnCountAt(const std::string& html, std::size_t at) {
   const auto end = html.find("</tr>", at);
   int columns = 0;
   for (auto cell = html.find("<th", html.find("<tr>", at)); cell < end;
@@ -128,7 +129,7 @@ int columnsAt(const std::string& html, std::size_t at) {
 }
 
 /// Moves a caption into the first row of its table's head, so that they stay on one page.
-void captionsInHead(std::string& html) {
+void moveCaptionsIntoHeads(std::string& html) {
   constexpr std::string_view kTable = "<table><caption>";
   constexpr std::string_view kEnd = "</caption><thead>";
   for (auto span = spanOf(html, kTable, kEnd, 0); span.begin != std::string::npos;
@@ -140,13 +141,13 @@ void captionsInHead(std::string& html) {
         span.end - span.begin,
         "<table border=\"0\" cellspacing=\"0\" cellpadding=\"0\"><thead><tr><td class=\"caption\" "
         "colspan=\"" +
-            std::to_string(columnsAt(html, span.end)) + "\" align=\"left\">" + words +
+            std::to_string(columnCountAt(html, span.end)) + "\" align=\"left\">" + words +
             "</td></tr>");
   }
 }
 
 /// Aligns cells: the first of a row begins where the text does.
-void cells(std::string& html) {
+void alignCells(std::string& html) {
   constexpr std::string_view kFirst = " align=\"left\" style=\"padding-left: 0px\">";
   for (const std::string_view cell : {"td", "th"}) {
     const auto open = "<" + std::string(cell) + ">";
@@ -222,9 +223,9 @@ PrintHtml toPrintHtml(std::string_view html, double scale) {
         style.begin, style.end - style.begin, "<style>" + styleOnPaper(scale) + "</style>");
   }
   unlinkAndUnfold(text);
-  captionsInHead(text);
-  cells(text);
-  for (const auto& [screen, paper] : kOnPaper) replaceAll(text, screen, paper);
+  moveCaptionsIntoHeads(text);
+  alignCells(text);
+  for (const auto& [screen, paper] : kPaperElements) replaceAll(text, screen, paper);
   preventLineBreaks(text);
   return page;
 }

@@ -110,36 +110,36 @@ std::string authorsAsVancouver(const Publication& work) {
   return text;
 }
 
-std::string withStop(std::string text) {
+std::string withFullStop(std::string text) {
   return text.empty() || text.back() == '.' || text.back() == '?' ? text : text + ".";
 }
 
 /// "Mann, H. B., & Whitney, D. R. (1947). Title. Journal, 18(1), 50–60."
 std::string apaEntry(const Publication& work) {
-  const auto title = escaped(withStop(std::string(work.title)));
+  const auto title = escaped(withFullStop(std::string(work.title)));
   const auto year = fmt::format("({}).", yearOf(work));
   if (work.authors.empty()) return title + " " + year;
-  auto text = escaped(withStop(authorsAsApa(work))) + " " + year + " ";
-  // of books, which have no volume, the title is in italics, of articles the journal
+  auto text = escaped(withFullStop(authorsAsApa(work))) + " " + year + " ";
+  // In books, which have no volume, the title is in italics; in articles, the journal.
   if (work.volume.empty()) {
     text += "<em>" + title + "</em>";
-    return withStop(text + (work.journal.empty() ? "" : " " + escaped(work.journal)));
+    return withFullStop(text + (work.journal.empty() ? "" : " " + escaped(work.journal)));
   }
   text += title + " <em>" + escaped(work.journal) + "</em>";
   for (const auto part : {work.volume, work.pages}) {
     if (!part.empty()) text += ", " + std::string(part);
   }
-  return withStop(text);
+  return withFullStop(text);
 }
 
 /// "Mann HB, Whitney DR. Title. Journal. 1947;18(1):50–60."
 std::string vancouverEntry(const Publication& work) {
   auto text = authorsAsVancouver(work);
-  text = withStop(text) + (text.empty() ? "" : " ") + withStop(std::string(work.title));
+  text = withFullStop(text) + (text.empty() ? "" : " ") + withFullStop(std::string(work.title));
   if (!work.journal.empty()) text += fmt::format(" {}. {}", work.journal, yearOf(work));
   if (!work.volume.empty()) text += fmt::format(";{}", work.volume);
   if (!work.pages.empty()) text += fmt::format(":{}", work.pages);
-  return escaped(withStop(text));
+  return escaped(withFullStop(text));
 }
 
 }  // namespace

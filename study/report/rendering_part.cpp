@@ -10,7 +10,7 @@ namespace study::report {
 namespace {
 
 constexpr double kThinBand = 0.01;         // of the largest force: as wide as a line is drawn
-constexpr double kAlike = 0.005;           // forces that differ by less are printed alike [N]
+constexpr double kPrintedAlike = 0.005;    // forces that differ by less are printed alike [N]
 constexpr std::ptrdiff_t kFewestFlat = 3;  // points in a row
 
 /// What the landmarks are, see CutDetector.
@@ -38,7 +38,7 @@ class RenderingWriter : HtmlWriter {
     for (const auto& svg : section_.figures.renderedForce) {
       putFigure(svg, curvesCaption());
     }
-    flatCurves();
+    putFlatCurves();
     const bool isEmpty =
         std::all_of(section_.curves.begin(), section_.curves.end(), [](const auto& curve) {
           return curve.points.empty();
@@ -48,8 +48,8 @@ class RenderingWriter : HtmlWriter {
     } else if (section_.curvesReason.empty()) {
       if (section_.figures.renderedForce.empty())
         figure("", "Force over travel for every alternative.");
-      manipulation();
-      againstMaterial();
+      putManipulationCheck();
+      putMaterialComparison();
     } else {
       put("<p>{}</p>",
           escaped(say("What was felt is not known: {}", section_.inWords(section_.curvesReason))));
@@ -60,7 +60,7 @@ class RenderingWriter : HtmlWriter {
   }
 
  private:
-  void manipulation() {
+  void putManipulationCheck() {
     table(
         say("Manipulation check: root mean square difference of the median forces"),
         {say("Pair"), say("All strokes [N]"), kN, say("By participant [N]"), say("95 % CI")});
@@ -81,7 +81,7 @@ class RenderingWriter : HtmlWriter {
 
   /// Whether the ends of an interval are printed differently: simulated hands all move alike.
   static bool hasWidth(const std::optional<analysis::Interval>& interval) {
-    return interval && interval->high - interval->low >= kAlike;
+    return interval && interval->high - interval->low >= kPrintedAlike;
   }
 
   std::string curvesCaption() const {
@@ -122,7 +122,7 @@ class RenderingWriter : HtmlWriter {
   }
 
   /// Why curves are flat at their largest force.
-  void flatCurves() {
+  void putFlatCurves() {
     std::string text;
     for (const auto& curve : section_.curves) {
       const auto force = flatForce(curve);
@@ -137,7 +137,7 @@ class RenderingWriter : HtmlWriter {
   static std::optional<double> flatForce(const RenderedForceCurve& curve) {
     if (curve.points.empty()) return std::nullopt;
     const auto most = std::ranges::max(curve.points, {}, &RenderedForceCurve::Point::median).median;
-    const auto isMost = [&](const auto& point) { return point.median > most - kAlike; };
+    const auto isMost = [&](const auto& point) { return point.median > most - kPrintedAlike; };
     const auto first = std::ranges::find_if(curve.points, isMost);
     const auto end = std::find_if_not(first, curve.points.end(), isMost);
     return most > 0.0 && end - first >= kFewestFlat ? std::optional(most) : std::nullopt;
@@ -146,7 +146,7 @@ class RenderingWriter : HtmlWriter {
   std::string whyFlat(const std::string& id, double force) const {
     const auto& title = section_.conditionTitle(id);
     const auto parts = haptics::engine::partsOf(*section_.protocol.condition(id)->model);
-    const auto is = [&](double limit) { return std::abs(force - limit) < kAlike; };
+    const auto is = [&](double limit) { return std::abs(force - limit) < kPrintedAlike; };
     const auto atLimit =
         say("{} is flat at {:.2f} N, the largest force that the study allows.", title, force);
     const auto fused = say(
@@ -183,7 +183,7 @@ class RenderingWriter : HtmlWriter {
 
   /// Whether a landmark has the mean of all strokes that have it: at least half of the strokes of
   /// its condition do.
-  bool isOfMost(const LandmarkSummary& one) const {
+  bool isInMostStrokes(const LandmarkSummary& one) const {
     return 2 * one.force.n >= strokesOf(one.condition);
   }
 
@@ -198,7 +198,7 @@ class RenderingWriter : HtmlWriter {
 
   /// Whether a landmark is at the origin in every stroke, such as the first contact with bone,
   /// which has no backlash before it.
-  bool isOrigin(const LandmarkSummary& one) const {
+  bool isAlwaysAtOrigin(const LandmarkSummary& one) const {
     const auto isZero = [](const std::optional<double>& value, double factor) {
       constexpr double kPrintedAsZero = 0.005;
       return std::abs(value.value_or(0.0) * factor) < kPrintedAsZero;
@@ -211,14 +211,14 @@ class RenderingWriter : HtmlWriter {
   /// Whether a row on this landmark says something.
   bool isShown(std::string_view name) const {
     return std::ranges::any_of(section_.landmarks, [&](const auto& one) {
-      return one.landmark == name && isOfMost(one) && !isOrigin(one);
+      return one.landmark == name && isInMostStrokes(one) && !isAlwaysAtOrigin(one);
     });
   }
 
   /// "7.20 (0.28); 4.50 (0.71)", with n if not all strokes have the landmark.
   std::string landmarkCell(const LandmarkSummary& one) const {
     const auto n = fmt::format("{} = {}", kN, one.force.n);
-    if (!isOfMost(one)) return n;
+    if (!isInMostStrokes(one)) return n;
     const auto factor = kindOf(one.condition).shown.factor;
     const auto travel = withDeviation(
         scaled(one.travel.mean, factor), scaled(one.travel.standardDeviation, factor));
@@ -281,7 +281,7 @@ class RenderingWriter : HtmlWriter {
     return std::ranges::find(names, name) != names.end();
   }
 
-  void againstMaterial() {
+  void putMaterialComparison() {
     if (!isOfBone()) return;
     std::string all;
     for (const auto& curve : section_.curves) {

@@ -205,7 +205,7 @@ std::string ReportSection::introducedTitle(const std::string& condition) const {
   const bool isAbbreviation =
       std::ranges::none_of(title, [](char letter) { return letter >= 'a' && letter <= 'z'; });
   for (const auto& [name, english] : kModels) {
-    const auto inFull = words(english);  // of all models: tests find missing translations
+    const auto inFull = words(english);  // of every model: tests find missing translations
     if (isAbbreviation && model && haptics::engine::infoOf(*model).name == name) {
       return title + " (" + inFull + ")";
     }
@@ -250,7 +250,7 @@ std::string ReportSection::inWords(const base::Message& message) const {
   for (auto& argument : arguments) {
     auto* text = std::get_if<std::string>(&argument);
     if (text == nullptr) continue;
-    std::string titles;  // of a list, too: "1.1, 1.2"
+    std::string titles;  // of all ids, if the argument is a list: "1.1, 1.2"
     for (std::size_t at = 0; at <= text->size();) {
       const auto end = std::min(text->find(", ", at), text->size());
       const auto id = text->substr(at, end - at);
@@ -301,8 +301,8 @@ std::string scaleInWords(
   const auto ends = scaleEndWords(*items.front(), words.language());
   const bool haveSameEnds = std::ranges::all_of(
       items, [&](const auto* item) { return scaleEndWords(*item, words.language()) == ends; });
-  const auto low = withMinusSign(exactly(scale->lowest));
-  const auto high = withMinusSign(exactly(scale->highest));
+  const auto low = withMinusSign(exactDecimal(scale->lowest));
+  const auto high = withMinusSign(exactDecimal(scale->highest));
   const auto plain = words.say("scale from {} to {}", low, high);
   const auto named = words.say("scale from {} ({}) to {} ({})", low, ends.first, high, ends.second);
   const bool isNamed = haveSameEnds && !ends.first.empty() && !ends.second.empty();
@@ -318,8 +318,8 @@ std::string scaleInWords(const ReportSection& section, const protocols::Family& 
     if (!scale) return {};
     return section.words.say(
         "scale from {} to {}",
-        withMinusSign(exactly(scale->lowest)),
-        withMinusSign(exactly(scale->highest)));
+        withMinusSign(exactDecimal(scale->lowest)),
+        withMinusSign(exactDecimal(scale->highest)));
   }
   std::vector<const questionnaires::Item*> items;
   const auto compared = protocols::comparedItems(family, instrument->items);

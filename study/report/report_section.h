@@ -21,7 +21,8 @@ struct FamilyFigures {
   std::string answers;           ///< how often each point was chosen
   std::string participantMeans;  ///< the rating of every participant
   std::string effects;           ///< differences between methods
-  std::string mainEffects;       ///< of these, what is beside the answer; empty for other families
+  std::string mainEffects;       ///< the figure of the main family beside the answer, without the
+                                 ///< comparisons that its sentences leave out
   std::string sites;             ///< differences by site, pooled; empty if there are not several
 };
 
@@ -47,7 +48,7 @@ struct SaturatedTrials {
                                ///< ascending order
 };
 
-/// What counts of a condition.
+/// The trials and cuts of a condition that count.
 struct ConditionTrials {
   std::string condition;
   int trials = 0;
@@ -56,8 +57,8 @@ struct ConditionTrials {
 
 /// Why trials did not pass.
 struct TrialReasons {
-  std::vector<base::Message> reasons;  ///< of the first of them
-  int trials = 1;                      ///< those with reasons of the same kinds
+  std::vector<base::Message> reasons;  ///< the reasons of the first of these trials
+  int trials = 1;                      ///< number of trials with reasons of the same kinds
 };
 
 /// How well the trials of a study were rendered. Counts the trials of completed sessions that were
@@ -74,12 +75,12 @@ struct TrialQuality {
   std::optional<double>
       worstLateness;  ///< largest 99th percentile of a trial [µs]; std::nullopt in simulated time
   double rate = 0.0;  ///< nominal rate of the force loop [Hz]; 0 without trials
-  std::vector<ConditionTrials> conditions;  ///< of those that were felt, in the protocol's order
+  std::vector<ConditionTrials> conditions;       ///< rendered ones, in the protocol's order
   std::vector<SaturatedTrials> saturatedTrials;  ///< by condition, in the protocol's order
-  std::vector<TrialReasons> reasons;  ///< of all trials that did not pass, the force apart
+  std::vector<TrialReasons> reasons;             ///< without the reason that the force was limited
 };
 
-/// Where the cuts of a condition have a landmark, over all that count; each cut counts once.
+/// Travel and force at a landmark, over all cuts of a condition that count; each cut counts once.
 struct LandmarkSummary {
   std::string condition;
   std::string_view landmark;  ///< in English
@@ -98,7 +99,8 @@ struct ReportSection {
   std::string uuid;
   std::string firstDay = {};     ///< of the sessions that count [YYYY-MM-DD]; empty if none count
   std::string lastDay = {};      ///< of the sessions that count, by their beginning
-  storage::TrailEnd trail = {};  ///< its end when read; empty in simulated sessions
+  storage::TrailEnd trail = {};  ///< end of the audit trail when it was read; empty in simulated
+                                 ///< sessions
   /// The commitment to the secret that determines orders and codes (BlindingSecret::commitment());
   /// empty in simulated sessions, and in studies without a secret.
   std::string commitment = {};
@@ -127,7 +129,8 @@ struct ReportSection {
   /// A message in the report's language, with titles in place of the ids of conditions, cohorts,
   /// blocks, instruments and items in its arguments.
   std::string inWords(const base::Message& message) const;
-  /// The title of what has this id; the id if nothing has it.
+  /// The title of the condition, cohort, instrument, item or block with this id; the id itself if
+  /// there is none.
   std::string titleOf(const std::string& id) const;
 };
 
@@ -153,7 +156,7 @@ std::string scaleInWords(const ReportSection& section, const protocols::Family& 
 /// The figures that were painted: pairs of a file name ("realism-answers") and the SVG element.
 std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSection& section);
 
-/// Reads a study and computes the results of its sessions of @p mode. What was felt in trials is
+/// Reads a study and computes the results of its sessions of @p mode. Trials and their traces are
 /// not read.
 /// @throws storage::StorageError  if the study cannot be read.
 ReportSection gatherResults(Study& study, RunMode mode, const words::Words& words = {});

@@ -80,21 +80,21 @@ void leaveOutSmallSamples(Results& results) {
 
 std::string leftOutInWords(const FamilyResult& family, const words::Words& words) {
   std::set<std::string_view> ids;
-  const auto look = [&](std::string_view id, const base::Message& reason) {
+  const auto noteIfLeftOut = [&](std::string_view id, const base::Message& reason) {
     if (isLeftOut(reason)) ids.insert(id);
   };
   for (const auto& part : family.cohorts) {
     for (const auto& pair : part.within.rows) {
-      for (const auto& row : pair.tests) look(row.id, row.reason);
+      for (const auto& row : pair.tests) noteIfLeftOut(row.id, row.reason);
     }
-    for (const auto& row : part.within.overall) look(row.id, row.reason);
+    for (const auto& row : part.within.overall) noteIfLeftOut(row.id, row.reason);
     for (const auto& method : part.checks.methods) {
-      look("cronbach_alpha", method.alpha.reason);
-      look("omega_total", method.omega.reason);
+      noteIfLeftOut("cronbach_alpha", method.alpha.reason);
+      noteIfLeftOut("omega_total", method.omega.reason);
     }
   }
   for (const auto& between : family.between) {
-    for (const auto& row : between.tests) look(row.id, row.reason);
+    for (const auto& row : between.tests) noteIfLeftOut(row.id, row.reason);
   }
   std::string list;
   std::size_t fewest = 0;

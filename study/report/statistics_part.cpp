@@ -98,7 +98,7 @@ class StatisticsWriter : HtmlWriter {
               family.title,
               section_.protocol.study.version,
               declaredInWords(family, section_.words),
-              exactly(family.alpha),
+              exactDecimal(family.alpha),
               section_.words.count(family.comparisons.size(), "{} comparison", "{} comparisons")) +
           " ";
       if (family.equivalenceBound) {

@@ -46,7 +46,7 @@ class HeadWriter : HtmlWriter {
         family.title,
         listed(compared, section_.words),
         declaredInWords(family, section_.words),
-        exactly(family.alpha));
+        exactDecimal(family.alpha));
     put("<p>{}{}</p>", plan, judged.empty() ? judged : " " + judged);
   }
 
@@ -96,14 +96,14 @@ class HeadWriter : HtmlWriter {
     if (section_.results.runMode == RunMode::Pilot) {
       text = say("Pilot sessions: not for publication.");
     }
-    const auto made = synthetic();
+    const auto made = syntheticInWords();
     const bool isOfPilotOnly = section_.results.runMode == RunMode::Pilot && made.empty();
     if (!made.empty()) text += (text.empty() ? "" : " ") + made;
     if (text.empty()) return;
     put("<p class=\"{}\">{}</p>", isOfPilotOnly ? "banner pilot" : "banner", text);
   }
 
-  std::string synthetic() const {
+  std::string syntheticInWords() const {
     std::string made;
     const auto add = [&](const std::vector<std::string>& ids, const std::string& source) {
       std::vector<std::string> conditions;
@@ -180,11 +180,11 @@ class ParticipantWriter : HtmlWriter {
     for (const auto& [site, flow] : section_.results.siteFlow) add(escaped(site), flow);
     endTable();
     if (!didAllComplete) notes(isAnyErased);
-    singlePeople();
+    warnOfSinglePeople();
   }
 
   /// Warns of numbers that are one person's answers.
-  void singlePeople() {
+  void warnOfSinglePeople() {
     std::vector<std::string> alone;
     for (const auto& flow : section_.results.flow) {
       const bool isPerson = section_.results.runMode != RunMode::Simulated;

@@ -62,9 +62,9 @@ struct Declared {
 };
 std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort);
 
-/// The alternative whose comparisons the sentences on a family, and the figure beside them, are
-/// about; empty if there is none: they are then about all.
-std::string comparedWithOthers(const ReportSection& section, const FamilyResult& family);
+/// The alternative that the sentences on a family, and the figure beside them, compare with the
+/// others; empty if they are about all comparisons.
+std::string mainAlternativeOf(const ReportSection& section, const FamilyResult& family);
 
 /// Whether any participant of the cohort answered.
 bool hasAnswers(const CohortResult& cohort);
@@ -76,12 +76,12 @@ bool hasAnswers(const CohortResult& cohort);
 std::string familyAsHtml(
     const ReportSection& section, const FamilyResult& family, const FamilyFigures& figures);
 
-/// Its comparisons within people and between cohorts.
+/// A family's comparisons within people and between cohorts.
 /// @param figure  of the effects.
 std::string withinAsHtml(
     const ReportSection& section, const FamilyResult& family, const std::string& figure);
 
-/// Its differences at each site and pooled over sites; empty if there is only one site.
+/// A family's differences at each site and pooled over sites; empty if there is only one site.
 /// @param figure  the forest plot.
 std::string sitesAsHtml(
     const ReportSection& section, const FamilyResult& family, const std::string& figure);
@@ -116,8 +116,8 @@ std::string limitationsAsHtml(const ReportSection& section);
 /// The flags that limitationsAsHtml() explains, with their sources.
 std::vector<const analysis::Flag*> explainedFlags(const ReportSection& section);
 
-/// By what a reader of the protocol could tell conditions apart in spite of their labels: "the
-/// number of an alternative and its position"; empty if by nothing.
+/// A list of everything by which a reader of the protocol could tell conditions apart in spite of
+/// their labels: "the number of an alternative and its position"; may be empty.
 std::string disclosuresInWords(const ReportSection& section);
 
 /// The citation of questionnaires that Palpate words itself.

@@ -19,13 +19,13 @@ using Names = std::vector<std::string>;
 /// The condition that got most votes.
 struct MostNamed {
   std::string condition;
-  std::string phase;  ///< one that asked
+  std::string phase;  ///< a phase that asked for votes
   std::uint64_t votes = 0;
   std::uint64_t total = 0;
   std::size_t rounds = 0;
 };
 
-/// std::nullopt if there are no votes, or several conditions got as many.
+/// std::nullopt if there are no votes, or if several conditions have the largest number of votes.
 std::optional<MostNamed> mostNamedIn(const Results& results) {
   for (const auto& table : voteTables(results)) {
     MostNamed most{.total = table.total.total()};
@@ -82,9 +82,10 @@ constexpr Finding kAlike{
 /// The best alternative against another one, over the cohorts in which both were tested.
 struct Outcome {
   std::string condition;
-  std::size_t tested = 0;
-  std::size_t above = 0;  ///< cohorts in which the best alternative is significantly higher
-  std::size_t below = 0;
+  std::size_t testedCohorts = 0;
+  std::size_t significantlyHigher =
+      0;  ///< cohorts in which the best alternative is significantly higher
+  std::size_t significantlyLower = 0;
   std::size_t testedWithin = 0;       ///< cohorts with a paired test of participants' means
   std::size_t significantWithin = 0;  ///< of these, the tests that agree with the declared one
   bool isHigherInEach = true;         ///< the best alternative, in each cohort
@@ -179,12 +180,12 @@ class VerdictWriter {
     const auto untested = words_("Whether cohorts differ in this was not tested.");
     for (const auto& condition : section_.protocol.conditions) {
       const auto one = outcomeOf(family, condition.id);
-      if (one.tested == 0) continue;
-      if (one.above == one.tested) {
+      if (one.testedCohorts == 0) continue;
+      if (one.significantlyHigher == one.testedCohorts) {
         higher.push_back(one);
-      } else if (one.below == one.tested) {
+      } else if (one.significantlyLower == one.testedCohorts) {
         lower.push_back(one);
-      } else if (one.above + one.below == 0) {
+      } else if (one.significantlyHigher + one.significantlyLower == 0) {
         alike.push_back(one);
       } else {
         mixed.push_back(one);
@@ -196,10 +197,10 @@ class VerdictWriter {
     const auto inAny = " " + words_("in any cohort");
     Names sentences;
     if (!higher.empty()) {
-      sentences.push_back(of(isPooled ? kPooledHigher : kHigher, higher, inEach, isPooled));
+      sentences.push_back(sentenceOn(isPooled ? kPooledHigher : kHigher, higher, inEach, isPooled));
     }
     if (!lower.empty()) {
-      sentences.push_back(of(isPooled ? kPooledLower : kLower, lower, inEach, isPooled));
+      sentences.push_back(sentenceOn(isPooled ? kPooledLower : kLower, lower, inEach, isPooled));
     }
     for (const auto& one : mixed) {
       sentences.push_back(
@@ -209,7 +210,7 @@ class VerdictWriter {
     }
     if (!mixed.empty()) sentences.push_back(untested);
     if (!alike.empty()) {
-      sentences.push_back(of(kAlike, alike, inAny, false));
+      sentences.push_back(sentenceOn(kAlike, alike, inAny, false));
       sentences.push_back(sizesOf(alike));
     }
     return sentences;
@@ -229,9 +230,9 @@ class VerdictWriter {
         mostPeople_);
   }
 
-  /// @param where  said if there are several cohorts
+  /// @param where  " in each cohort" or the like; left out if there is only one cohort
   /// @param isPooled  whether to say what comparing within people finds
-  std::string of(
+  std::string sentenceOn(
       const Finding& finding,
       const std::vector<Outcome>& outcomes,
       const std::string& where,
@@ -239,7 +240,7 @@ class VerdictWriter {
     Names titles;
     for (const auto& one : outcomes) titles.push_back(section_.introducedTitle(one.condition));
     const bool isOfSeveral =
-        std::ranges::all_of(outcomes, [](const auto& one) { return one.tested > 1; });
+        std::ranges::all_of(outcomes, [](const auto& one) { return one.testedCohorts > 1; });
     return say(
         finding,
         listed(titles, words_),
@@ -263,11 +264,14 @@ class VerdictWriter {
     for (const auto& one : outcomes) {
       const auto& title = section_.conditionTitle(one.condition);
       const auto counted = words_.say(
-          "significant for {} in {} of {} cohorts", title, one.significantWithin, one.tested);
-      auto& names = one.testedWithin == 0                 ? untested
-                    : one.significantWithin == 0          ? none
-                    : one.significantWithin == one.tested ? all
-                                                          : some;
+          "significant for {} in {} of {} cohorts",
+          title,
+          one.significantWithin,
+          one.testedCohorts);
+      auto& names = one.testedWithin == 0                        ? untested
+                    : one.significantWithin == 0                 ? none
+                    : one.significantWithin == one.testedCohorts ? all
+                                                                 : some;
       names.push_back(&names == &some ? counted : title);
     }
     std::string text;
@@ -296,10 +300,11 @@ class VerdictWriter {
         const auto& within = *row.withinPeople;
         const bool agrees = within.p && within.isSignificant.value_or(false) &&
                             sign * within.estimate.value.value_or(0.0) * difference > 0.0;
-        ++outcome.tested;
+        ++outcome.testedCohorts;
         outcome.points.push_back(difference);
         if (difference < 0.0) outcome.isHigherInEach = false;
-        if (isSignificant) ++(difference > 0.0 ? outcome.above : outcome.below);
+        if (isSignificant)
+          ++(difference > 0.0 ? outcome.significantlyHigher : outcome.significantlyLower);
         if (within.p) ++outcome.testedWithin;
         if (agrees) ++outcome.significantWithin;
         const auto points = rounded(difference, 2);
@@ -320,7 +325,7 @@ class VerdictWriter {
   const ReportSection& section_;
   const words::Words& words_;
   std::string best_;  ///< condition
-  std::string test_;  ///< that is declared, in words
+  std::string test_;  ///< the declared test, in words
   bool isTestNamed_ = false;
   std::size_t mostPeople_ = 0;  ///< in a cohort
 };

@@ -28,7 +28,8 @@ class ApaWriter {
  public:
   ApaWriter(const words::Words& words, Wording wording) : words_(words), wording_(wording) {}
 
-  std::string paired(const analysis::WithinComparison& row, const protocols::Family& family) const {
+  std::string pairedTTestSentence(
+      const analysis::WithinComparison& row, const protocols::Family& family) const {
     const auto& t = row.test("paired_t");
     if (!t.p) return words_.say("paired t-test not defined: {}", words_(t.reason));
     std::string line = words_.say(
@@ -46,7 +47,8 @@ class ApaWriter {
     return line;
   }
 
-  std::string exact(const analysis::WithinComparison& row, const protocols::Family& family) const {
+  std::string exactTestsSentence(
+      const analysis::WithinComparison& row, const protocols::Family& family) const {
     const auto& flip = row.test("sign_flip");
     const auto& rank = row.test("signed_rank");
     std::string line = flip.p
@@ -277,7 +279,8 @@ std::vector<std::string> apaLines(
     const words::Words& words,
     Wording wording) {
   const ApaWriter writer(words, wording);
-  std::vector<std::string> lines{writer.paired(row, family), writer.exact(row, family)};
+  std::vector<std::string> lines{
+      writer.pairedTTestSentence(row, family), writer.exactTestsSentence(row, family)};
   constexpr std::array<std::string_view, 4> kReportedAlready{
       "paired_t", "sign_flip", "signed_rank", "bayes_factor"};
   for (const auto& test : row.tests) {

@@ -36,16 +36,16 @@ class InstrumentSummariser {
       if (consistency && consistency->isSuspicious) ++result_.contradictory;
     }
     for (const auto& cohort : protocol_.cohorts) {
-      for (const auto& score : instrument_.scores) scoresOf(score, cohort.id);
-      acceptabilityIn(cohort.id);
+      for (const auto& score : instrument_.scores) addScores(score, cohort.id);
+      addAcceptability(cohort.id);
     }
     return std::move(result_);
   }
 
  private:
-  void scoresOf(const questionnaires::Score& score, const std::string& cohort) {
+  void addScores(const questionnaires::Score& score, const std::string& cohort) {
     if (instrument_.occasions == questionnaires::Occasions::BeforeAndAfter) {
-      changesOf(score, cohort);
+      addChanges(score, cohort);
       return;
     }
     for (const auto& condition : conditionsIn(cohort)) {
@@ -82,7 +82,7 @@ class InstrumentSummariser {
 
   /// For participants with at least two forms: summaries of the score of the first form, of the
   /// last form, and of last − first.
-  void changesOf(const questionnaires::Score& score, const std::string& cohort) {
+  void addChanges(const questionnaires::Score& score, const std::string& cohort) {
     std::map<std::string, std::vector<const Form*>> byParticipant;
     for (const auto& form : forms_) {
       if (form.cohort == cohort) byParticipant[form.participant].push_back(&form);
@@ -117,7 +117,7 @@ class InstrumentSummariser {
   }
 
   /// The last answer of each participant about each condition.
-  void acceptabilityIn(const std::string& cohort) {
+  void addAcceptability(const std::string& cohort) {
     for (const auto& condition : conditionsIn(cohort)) {
       std::map<std::string, const Form*> last;
       for (const auto& form : forms_) {

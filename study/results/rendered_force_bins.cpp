@@ -45,7 +45,7 @@ float lowerMedian(std::vector<float>& values) {
 
 /// The hand's speed while it closed against a force in these samples [unit/s]; 0 if it never did.
 /// Movement without a force is left out, because it may be much faster than reaming.
-double ownSpeed(std::span<const storage::TraceSample> samples) {
+double handSpeed(std::span<const storage::TraceSample> samples) {
   std::vector<float> speeds;
   for (const auto& sample : samples) {
     if (isFelt(sample) && sample.velocity > 0.0F && sample.force > 0.0F)
@@ -64,7 +64,7 @@ double ownSpeed(std::span<const storage::TraceSample> samples) {
 RenderedForceBins::RenderedForceBins(
     const haptics::devices::DeviceKind& kind, const haptics::engine::SceneSpec& scene)
     : width_(kind.travel.most / kBins),
-      closing_(kind.travel.most / kSlowestStroke),
+      largestClosingThreshold_(kind.travel.most / kSlowestStroke),
       mostFeed_(haptics::engine::largestFeedOf(scene)) {
   const double most = std::max(kind.travel.most, endOf(scene));
   // The small number keeps rounding errors from adding a bin.
@@ -73,10 +73,11 @@ RenderedForceBins::RenderedForceBins(
 }
 
 void RenderedForceBins::add(std::span<const storage::TraceSample> samples) {
-  const double closing = std::min(closing_, kThresholdPerHandSpeed * ownSpeed(samples));
+  const double closing =
+      std::min(largestClosingThreshold_, kThresholdPerHandSpeed * handSpeed(samples));
   Stroke stroke;
   // the previous sample, if the tool was closing then; otherwise nullptr
-  const storage::TraceSample* before = nullptr;
+  const storage::TraceSample* previousClosing = nullptr;
   for (const auto& sample : samples) {
     const auto velocity = static_cast<double>(sample.velocity);
     const bool closes = isFelt(sample) && velocity > 0.0 && velocity >= closing;
@@ -85,9 +86,9 @@ void RenderedForceBins::add(std::span<const storage::TraceSample> samples) {
         stroke[*bin].forces.push_back(sample.force);
         stroke[*bin].speeds.push_back(sample.velocity);
       }
-      if (before != nullptr) addBetween(*before, sample, stroke);
+      if (previousClosing != nullptr) addBetween(*previousClosing, sample, stroke);
     }
-    before = closes ? &sample : nullptr;
+    previousClosing = closes ? &sample : nullptr;
     if (sample.landmark == kStrokeEnds) endStroke(stroke);
   }
   endStroke(stroke);

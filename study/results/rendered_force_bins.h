@@ -61,7 +61,7 @@ class RenderedForceBins {
   void endStroke(Stroke& stroke);
 
   double width_;                            ///< [device's travel unit]
-  double closing_;                          ///< upper bound of the closing threshold [unit/s]
+  double largestClosingThreshold_;          ///< upper bound of the closing threshold [unit/s]
   double mostFeed_;                         ///< of the scene [m/s]; infinite: no limit
   std::vector<std::vector<float>> forces_;  ///< of each stroke, by bin [N]
   std::vector<std::size_t> atMostFeed_;     ///< strokes that reached mostFeed_, by bin

@@ -19,11 +19,12 @@ namespace {
 /// force curve, or from its spheres before any is removed. Empty if the force depends on more than
 /// travel.
 std::vector<double> intendedForces(
-    const haptics::engine::ModelSpec& felt, const std::vector<RenderedForceCurve::Point>& points) {
-  const auto model = haptics::engine::withoutNoiseAndRemoval(felt);
+    const haptics::engine::ModelSpec& modelSpec,
+    const std::vector<RenderedForceCurve::Point>& points) {
+  const auto model = haptics::engine::withoutNoiseAndRemoval(modelSpec);
   if (!model) return {};
   haptics::engine::CompiledScene compiled({.model = *model});
-  const double coupling = haptics::engine::couplingOf(felt);
+  const double coupling = haptics::engine::couplingOf(modelSpec);
   std::vector<double> forces;
   for (const auto& point : points) {
     // Where bone is removed, the tool lags behind the device by the stretch of the spring between
@@ -80,8 +81,8 @@ std::optional<double> rmsFromIntended(const RenderedForceCurve& curve) {
   if (curve.intended.empty() || curve.points.empty()) return std::nullopt;
   double sum = 0.0;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    const double off = curve.points[i].median - curve.intended[i];
-    sum += off * off;  // not pow(), whose rounding depends on the compiler
+    const double difference = curve.points[i].median - curve.intended[i];
+    sum += difference * difference;  // not pow(), whose rounding depends on the compiler
   }
   return std::sqrt(sum / static_cast<double>(curve.points.size()));
 }
@@ -123,8 +124,8 @@ std::optional<double> rmsDifference(const Medians& a, const Medians& b, const st
   if (bins.empty()) return std::nullopt;
   double sum = 0.0;
   for (const int bin : bins) {
-    const double off = a.at(bin) - b.at(bin);
-    sum += off * off;
+    const double difference = a.at(bin) - b.at(bin);
+    sum += difference * difference;
   }
   return std::sqrt(sum / static_cast<double>(bins.size()));
 }
@@ -155,8 +156,8 @@ std::vector<RenderedForceDifference> renderedForceDifferences(
       const auto pairs = pairsOf(a, b);
       auto bins = binsOfBoth(medians.first, medians.second);
       for (const auto& [first, second] : pairs) {
-        const auto passed = binsOfBoth(*first, *second);
-        std::erase_if(bins, [&](int bin) { return passed.count(bin) == 0; });
+        const auto passedBins = binsOfBoth(*first, *second);
+        std::erase_if(bins, [&](int bin) { return passedBins.count(bin) == 0; });
       }
       const auto pooled = rmsDifference(medians.first, medians.second, bins);
       if (!pooled) continue;

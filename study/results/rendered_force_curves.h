@@ -30,8 +30,8 @@ struct RenderedForceCurve {
   std::string condition;
   std::string device;
   int trials = 0;
-  std::size_t strokes = 0;    ///< that passed the bin that most of them passed
-  std::vector<Point> points;  ///< where at least half of them came
+  std::size_t strokes = 0;    ///< number of strokes in the bin that most strokes passed
+  std::vector<Point> points;  ///< bins that at least half as many strokes passed
   /// For bone: the quasi-static force of the material at the travel of each point [N]; otherwise
   /// empty.
   std::vector<double> intended = {};

@@ -65,11 +65,11 @@ class Writer {
       line("SIMULATED: nobody took part; these numbers say nothing about any method.");
     }
     if (results_.runMode == RunMode::Pilot) line("PILOT: not for publication.");
-    for (const auto& flow : results_.flow) flowOf(cohortTitle(flow.cohort), flow);
-    for (const auto& [site, flow] : results_.siteFlow) flowOf("Site " + site, flow);
+    for (const auto& flow : results_.flow) writeFlow(cohortTitle(flow.cohort), flow);
+    for (const auto& [site, flow] : results_.siteFlow) writeFlow("Site " + site, flow);
   }
 
-  void flowOf(const std::string& who, const CohortFlow& flow) {
+  void writeFlow(const std::string& who, const CohortFlow& flow) {
     const int others = flow.declined + flow.withdrawn + flow.rejected + flow.abortedHardware;
     line(fmt::format(
         "{}: {} enrolled, {} completed, {} in progress, {} left or excluded{}",

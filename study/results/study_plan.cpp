@@ -111,7 +111,7 @@ analysis::PowerSimulation simulationOf(
   return simulation;
 }
 
-SiteDetectability atSites(
+SiteDetectability detectabilityAtSites(
     const FamilyPlan& family,
     const StudyPlanOptions& planOptions,
     const analysis::SitePlan& sites,
@@ -121,11 +121,11 @@ SiteDetectability atSites(
       .power =
           analysis::pooledSitesPower(planOptions.dz, participants, sites, family.alphaPerTest)};
   if (planOptions.studies == 0 || family.answers == 0) return detectability;
-  const auto simulated = [&](double dz) {
+  const auto simulatePowerFor = [&](double dz) {
     return analysis::simulateSitePower(simulationOf(family, planOptions, participants, dz), sites);
   };
-  detectability.found = simulated(planOptions.dz);
-  detectability.falsePositives = simulated(0.0);
+  detectability.found = simulatePowerFor(planOptions.dz);
+  detectability.falsePositives = simulatePowerFor(0.0);
   return detectability;
 }
 
@@ -141,20 +141,20 @@ Detectability detectabilityOf(
   if (participants < 2) return detectability;
   detectability.power = analysis::pairedTPower(planOptions.dz, participants, family.alphaPerTest);
   if (planOptions.studies > 0 && family.answers > 0) {
-    const auto simulated = [&](double dz) {
+    const auto simulatePowerFor = [&](double dz) {
       return analysis::simulatePower(simulationOf(family, planOptions, participants, dz));
     };
-    detectability.found = simulated(planOptions.dz);
-    detectability.falsePositives = simulated(0.0);
+    detectability.found = simulatePowerFor(planOptions.dz);
+    detectability.falsePositives = simulatePowerFor(0.0);
   }
   const auto& sites = planOptions.sites;
   if (sites && participants >= sites->fewestParticipants()) {
-    detectability.sites = atSites(family, planOptions, *sites, participants);
+    detectability.sites = detectabilityAtSites(family, planOptions, *sites, participants);
   }
   return detectability;
 }
 
-FamilyPlan declared(
+FamilyPlan declaredPlanOf(
     const protocols::Family& family,
     const LoadedProtocol& loaded,
     const StudyPlanOptions& planOptions) {
@@ -180,18 +180,19 @@ FamilyPlan declared(
 
 FamilyPlan familyPlan(
     const protocols::Family& family, const LoadedProtocol& loaded, const StudyPlan& study) {
-  FamilyPlan plan = declared(family, loaded, study.planOptions);
+  FamilyPlan plan = declaredPlanOf(family, loaded, study.planOptions);
   plan.fewestForSignificance = analysis::fewestParticipantsForSignFlip(plan.alphaPerTest, 1);
   if (study.planOptions.power > plan.alphaPerTest) {
     const double dz = study.planOptions.dz;
     const double power = study.planOptions.power;
-    plan.forPower = analysis::participantsForPower(dz, plan.alphaPerTest, power);
+    plan.sampleSizeForPower = analysis::participantsForPower(dz, plan.alphaPerTest, power);
     if (const auto& sites = study.planOptions.sites) {
-      plan.forPowerAtSites = analysis::participantsForPower(dz, *sites, plan.alphaPerTest, power);
+      plan.sampleSizeForPowerAtSites =
+          analysis::participantsForPower(dz, *sites, plan.alphaPerTest, power);
     }
   }
-  if (plan.forPower) {
-    const auto needed = std::max(*plan.forPower, plan.fewestForSignificance);
+  if (plan.sampleSizeForPower) {
+    const auto needed = std::max(*plan.sampleSizeForPower, plan.fewestForSignificance);
     const auto multiple = static_cast<std::uint64_t>(study.balancedBy);
     plan.recommended = (needed + multiple - 1) / multiple * multiple;
   }

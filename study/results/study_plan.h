@@ -82,13 +82,13 @@ struct FamilyPlan {
   protocols::TestType test = protocols::TestType::Welch;  ///< powers are of a paired t-test
   /// Fewest participants for which an exact paired test can be significant.
   std::uint64_t fewestForSignificance = 0;
-  std::optional<std::uint64_t> forPower;     ///< participants needed for the requested effect and
-                                             ///< power
+  std::optional<std::uint64_t> sampleSizeForPower;  ///< participants needed for the requested
+                                                    ///< effect and power
   std::optional<std::uint64_t> recommended;  ///< fewest participants that suffice for power and
                                              ///< significance and balance the orders
   /// Participants over all sites needed for the requested effect and power; std::nullopt without
   /// sites, or if no number suffices.
-  std::optional<std::uint64_t> forPowerAtSites = {};
+  std::optional<std::uint64_t> sampleSizeForPowerAtSites = {};
   std::vector<Detectability> detectabilities = {};  ///< for every cohort, in the protocol's order
 };
 
@@ -107,7 +107,7 @@ struct VotePlan {
 struct CohortPairPlan {
   std::string first;
   std::string second;
-  analysis::AttainableP smallest;  ///< smallest attainable p of an exact Mann–Whitney test
+  analysis::AttainableP smallestP;  ///< smallest attainable p of an exact Mann–Whitney test
 };
 
 /// The planned participants of one cohort.

@@ -73,17 +73,17 @@ std::string ordersText(const StudyPlan& plan) {
 }
 
 std::string pairVerdict(const FamilyPlan& family, const Detectability& detectability) {
-  const auto smallest = pText(detectability.pair);
+  const auto smallestP = pText(detectability.pair);
   if (detectability.canPairsBeSignificant) {
     return fmt::format(
         "smallest exact p of a pair {}: below {}, so that exact paired tests can find something",
-        smallest,
+        smallestP,
         pText(family.alphaPerTest));
   }
   return fmt::format(
       "smallest exact p of a pair {}: above {}, so that NO exact paired test can ever be "
       "significant, whatever people answer. At least {} are needed",
-      smallest,
+      smallestP,
       pText(family.alphaPerTest),
       family.fewestForSignificance);
 }
@@ -182,9 +182,11 @@ std::string prospectsText(const StudyPlan& plan, const FamilyPlan& family) {
 std::string sitesText(const StudyPlan& plan, const FamilyPlan& family) {
   if (!plan.planOptions.sites) return {};
   const auto sites = counted(plan.planOptions.sites->sites, "site");
-  if (family.forPowerAtSites) {
+  if (family.sampleSizeForPowerAtSites) {
     return fmt::format(
-        "  at {}: {} participants a cohort, over all sites.\n", sites, *family.forPowerAtSites);
+        "  at {}: {} participants a cohort, over all sites.\n",
+        sites,
+        *family.sampleSizeForPowerAtSites);
   }
   return fmt::format(
       "  at {}: no number of participants is enough. More of them at few sites tell nothing of "
@@ -234,7 +236,7 @@ std::string familyText(const StudyPlan& plan, const FamilyPlan& family) {
       "  for d_z = {:g} with power {:g}: {} participants a cohort{}.\n",
       plan.planOptions.dz,
       plan.planOptions.power,
-      sizeText(family.forPower),
+      sizeText(family.sampleSizeForPower),
       family.recommended && plan.balancedBy > 1
           ? fmt::format("; {} balance the orders as well", *family.recommended)
           : "");
@@ -249,7 +251,7 @@ std::string cohortsText(const StudyPlan& plan) {
         "  {} against {}: smallest exact p of Mann and Whitney's test {}.\n",
         pair.first,
         pair.second,
-        pText(pair.smallest));
+        pText(pair.smallestP));
   }
   return text;
 }
@@ -362,7 +364,7 @@ std::string detectableInWords(const StudyPlan& plan, const FamilyPlan& family) {
       family.isCorrected
           ? fmt::format("{}, alpha = {} each", family.correction, pText(family.alphaPerTest))
           : fmt::format("alpha = {} each, not corrected", pText(family.alphaPerTest)),
-      sizeText(family.forPower),
+      sizeText(family.sampleSizeForPower),
       plan.planOptions.dz,
       plan.planOptions.power);
   std::set<std::uint64_t> seen;

@@ -82,7 +82,7 @@ void copyDatabases(const Snapshot& snapshot, const fs::path& to, const Progress&
     const auto size = static_cast<double>(sizeOf(from));
     const auto copy = to / from.filename();
     database.copyTo(copy.string(), [&](double share) {
-      tell(
+      announceProgress(
           progress,
           kShareOfCopying * (done + share * size) / std::max(all, 1.0),
           "copying " + from.filename().string());
@@ -98,7 +98,7 @@ void copyOtherFiles(const fs::path& from, const fs::path& to, const Progress& pr
   for (const auto& entry : fs::directory_iterator(from)) {
     const auto name = entry.path().filename().string();
     if (isDatabaseOrRecreated(name)) continue;
-    tell(progress, kShareOfCopying, "copying " + name);
+    announceProgress(progress, kShareOfCopying, "copying " + name);
     fs::copy(
         entry.path(), to / name, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
   }
@@ -106,11 +106,12 @@ void copyOtherFiles(const fs::path& from, const fs::path& to, const Progress& pr
 
 Verification verifyCopy(const fs::path& folder, const Progress& progress) {
   auto copy = Study::open(folder, Access::ReadOnly);
-  const auto told = [&](double share, const std::string& words) {
-    tell(progress, kShareOfCopying + (1.0 - kShareOfCopying) * share, "reading the copy: " + words);
+  const auto progressCallback = [&](double share, const std::string& words) {
+    announceProgress(
+        progress, kShareOfCopying + (1.0 - kShareOfCopying) * share, "reading the copy: " + words);
   };
-  return verify(copy, told, {.isOlderCopy = true});  // sessions may have ended while the study was
-                                                     // copied
+  return verify(copy, progressCallback, {.isOlderCopy = true});  // sessions may have ended while
+                                                                 // the study was copied
 }
 
 /// Removes the log files that SQLite left beside the copy's databases when they were read.
@@ -183,15 +184,15 @@ Backup copyInto(
     const fs::path& from,
     const fs::path& unfinished,
     const fs::path& target,
-    const Progress& told) {
+    const Progress& progressCallback) {
   {
     const Snapshot snapshot(StudyFiles{from});
-    copyDatabases(snapshot, unfinished, told);
+    copyDatabases(snapshot, unfinished, progressCallback);
   }
   clearLeases(unfinished);
-  copyOtherFiles(from, unfinished, told);
+  copyOtherFiles(from, unfinished, progressCallback);
   Backup backup;
-  backup.verification = verifyCopy(unfinished, told);
+  backup.verification = verifyCopy(unfinished, progressCallback);
   removeLogs(unfinished);
   backup.bytes = bytesIn(unfinished);
   // Rename last, so that the target appears only when the copy is complete and verified.

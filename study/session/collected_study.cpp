@@ -23,7 +23,7 @@ using storage::Transaction;
 /// File of the EventSpool in the folder; it is removed when the trail is written.
 constexpr const char* kSpoolFile = "waiting.db";
 
-Database made(const std::string& path, const storage::Schema& schema) {
+Database createDatabase(const std::string& path, const storage::Schema& schema) {
   return Database::create(path, schema);
 }
 
@@ -41,9 +41,9 @@ std::set<ProtocolId> liveProtocols(const Database& study) {
 /// The three databases, each in one transaction.
 struct CollectedStudy::Files {
   explicit Files(const StudyFiles& names)
-      : study(made(names.study(), storage::studySchema())),
-        traces(made(names.traces(), storage::traceSchema())),
-        identities(made(names.identity(), storage::identitySchema())) {}
+      : study(createDatabase(names.study(), storage::studySchema())),
+        traces(createDatabase(names.traces(), storage::traceSchema())),
+        identities(createDatabase(names.identity(), storage::identitySchema())) {}
 
   void begin() {
     studyTransaction = std::make_unique<Transaction>(study);
@@ -189,7 +189,7 @@ void CollectedStudy::appendTrail(const std::string& reason) {
       key = session ? log.keyOf(SessionId{*session}) : std::nullopt;
     }
     log.appendFromOtherTrail(
-        key ? opened(event, *key) : event,
+        key ? withDetailUnsealed(event, *key) : event,
         key ? &*key : nullptr,
         lastEventOf_.at(event.session) == place++);
   };
@@ -197,7 +197,7 @@ void CollectedStudy::appendTrail(const std::string& reason) {
 }
 
 /// The event of a session with its detail unsealed.
-storage::StoredEvent CollectedStudy::opened(
+storage::StoredEvent CollectedStudy::withDetailUnsealed(
     const storage::StoredEvent& event, const storage::SealingKey& own) const {
   // A detail is sealed with its place in the trail as associated data; here this is the station's
   // trail.

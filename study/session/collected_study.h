@@ -73,7 +73,7 @@ class CollectedStudy {
   /// Writes the events of all stations to the collected study's trail.
   void appendTrail(const std::string& reason);
   /// The event with its detail unsealed. @param own  the participant's content key
-  storage::StoredEvent opened(
+  storage::StoredEvent withDetailUnsealed(
       const storage::StoredEvent& event, const storage::SealingKey& own) const;
 
   std::filesystem::path target_;

@@ -57,7 +57,8 @@ std::map<std::string, std::string> conditionPermutation(
 
 /// The secret for a session. A station has only its own secret; a collected study derives the
 /// station's secret from its own.
-std::optional<storage::BlindingSecret> secretAt(Study& study, const storage::SessionRow& row) {
+std::optional<storage::BlindingSecret> secretOfSession(
+    Study& study, const storage::SessionRow& row) {
   const auto* secret = study.secretFor(row.runMode);
   if (secret == nullptr) return std::nullopt;
   return study.isCollected() && !row.station.empty() ? secret->of(row.station) : *secret;
@@ -66,7 +67,7 @@ std::optional<storage::BlindingSecret> secretAt(Study& study, const storage::Ses
 /// The seed of a station's orders, so that each station's design is balanced by itself. Without a
 /// station it is the study's seed, as in releases without stations.
 /// @param secret  of the station; nullptr: the seed is derived from study's seed and label alone
-std::uint64_t seedAt(
+std::uint64_t seedOfStation(
     const std::string& station, std::uint64_t seed, const storage::BlindingSecret* secret) {
   if (station.empty()) return seed;
   storage::Hasher hasher;
@@ -91,8 +92,7 @@ bool usesStationSecret(Study& study) {
 }
 
 /// @param derivesSeedFromSecret  whether the station's seed is derived with its secret; ignored if
-/// the protocol
-///     has a "seed"
+///     the protocol has a "seed"
 protocols::Schedule scheduleOf(
     Study& study,
     const storage::SessionRow& row,
@@ -102,14 +102,14 @@ protocols::Schedule scheduleOf(
   const bool isUsed = secret && derivesSeedFromSecret && !protocol.seed;
   return protocols::scheduleFor(
       protocol,
-      seedAt(row.station, study.seed(), isUsed ? &*secret : nullptr),
+      seedOfStation(row.station, study.seed(), isUsed ? &*secret : nullptr),
       row.cohort,
       static_cast<std::uint64_t>(row.slot));
 }
 
 std::vector<Step> planOf(Study& study, const storage::SessionRow& row, bool derivesSeedFromSecret) {
   const auto& protocol = study.protocol(row.protocol).protocol;
-  const auto secret = secretAt(study, row);
+  const auto secret = secretOfSession(study, row);
   auto schedule = scheduleOf(study, row, secret, derivesSeedFromSecret);
   if (!secret) return sessionPlan(protocol, schedule);
   const auto parts = conditionPermutation(protocol, *secret, row.runMode);
@@ -129,7 +129,10 @@ std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow&
   auto steps = sessionPlan(
       study.protocol(row.protocol).protocol,
       scheduleOf(
-          study, row, canRead ? secretAt(study, row) : std::nullopt, usesStationSecret(study)));
+          study,
+          row,
+          canRead ? secretOfSession(study, row) : std::nullopt,
+          usesStationSecret(study)));
   for (auto& step : steps) {
     step.condition.clear();
     step.itemSet.clear();

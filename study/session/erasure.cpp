@@ -83,7 +83,7 @@ bool isSealed(Study& study, const std::string& participant) {
 }
 
 /// The codes of all participants of live and pilot sessions.
-std::set<std::string> people(Study& study) {
+std::set<std::string> participantCodes(Study& study) {
   std::set<std::string> codes;
   for (const auto& row : study.sessions().all()) {
     if (row.runMode != RunMode::Simulated) codes.insert(row.participant);
@@ -92,7 +92,7 @@ std::set<std::string> people(Study& study) {
 }
 
 /// Signs the last event of the trail before the trail is sealed again.
-std::optional<storage::SignedHead> signedEnd(Study& study) {
+std::optional<storage::SignedHead> signLastHead(Study& study) {
   try {
     return storage::signHead(
         study.database(),
@@ -106,7 +106,7 @@ std::optional<storage::SignedHead> signedEnd(Study& study) {
 
 /// Notes the last head of the unsealed trail in this station's list only. With it, an older copy
 /// can be distinguished from the trail that was sealed again.
-void noteEnd(Study& study, const storage::SignedHead& head) {
+void noteLastHead(Study& study, const storage::SignedHead& head) {
   try {
     storage::recordHead(
         StationStore::openOrCreate(StationStore::defaultFolder()), head, study.folder());
@@ -117,13 +117,13 @@ void noteEnd(Study& study, const storage::SignedHead& head) {
 
 void verifyAndResealTrail(Study& study, const ErasureRequest& request) {
   // Tampered data must not be sealed, because verification would then accept them.
-  if (!verify(study, {}, {.isOlderCopy = request.isAgain}).isSound()) {
+  if (!verify(study, {}, {.isOlderCopy = request.isRepetition}).isSound()) {
     throw StorageError(
         "The audit trail is not sealed again, because the study is not sound: 'palpate study "
         "verify' says what is wrong. Nothing was changed.",
         StorageError::Kind::Damaged);
   }
-  for (const auto& code : people(study)) {
+  for (const auto& code : participantCodes(study)) {
     if (!study.identities().hasDrawnKeys(code)) {
       study.identities().drawKeys(code);
     } else if (!isSealed(study, code)) {  // setting a passphrase drew the Identity key only
@@ -134,7 +134,7 @@ void verifyAndResealTrail(Study& study, const ErasureRequest& request) {
   const auto head = events.head();
   storage::Hash hash{};
   std::copy_n(head.begin(), std::min(head.size(), hash.size()), hash.begin());
-  const auto end = signedEnd(study);
+  const auto end = signLastHead(study);
   study.transact([&] {
     study.events().resealEvents(
         {.when = study.clock().now(),
@@ -146,7 +146,7 @@ void verifyAndResealTrail(Study& study, const ErasureRequest& request) {
              {"reason", request.reason}}});
     study.signTrail(nameOf(EventKind::ResealedTrail));
   });
-  if (end) noteEnd(study, *end);
+  if (end) noteLastHead(study, *end);
 }
 
 /// Texts (notes, reasons) that operators typed in sessions of this participant, but not in sessions
@@ -189,7 +189,7 @@ storage::ByteSearch textsOf(Study& study, const ErasureRequest& request) {
 
 /// Erases the rows and records the erasure, inside a transaction. @return the number of deleted
 /// answers
-std::int64_t eraseRows(Study& study, Erasure& erasure, bool isAgain) {
+std::int64_t eraseRows(Study& study, Erasure& erasure, bool isRepetition) {
   std::int64_t answers = 0;
   const Moment now = study.clock().now();
   erasure.utc = asUtc(now.wall);
@@ -202,7 +202,7 @@ std::int64_t eraseRows(Study& study, Erasure& erasure, bool isAgain) {
           {"participant", erasure.participant},
           {"level", std::string(nameOf(erasure.level))},
           {"reason", erasure.reason}}};
-  if (isAgain) erased.values.emplace_back("again", std::int64_t{1});
+  if (isRepetition) erased.values.emplace_back("again", std::int64_t{1});
   if (erasesAnswers(erasure.level)) {
     for (const auto& row : sessionsOf(study, erasure.participant)) {
       answers += storage::eraseAnswers(study.database(), row.id, erasure.utc);
@@ -214,13 +214,13 @@ std::int64_t eraseRows(Study& study, Erasure& erasure, bool isAgain) {
   study.events().append(erased);
   // If names are kept, their fingerprints were in details that can no longer be opened. Note the
   // fingerprints again.
-  const auto kept =
+  const auto keptFingerprints =
       erasesNames(erasure.level) ? std::string() : fingerprintsOf(study, erasure.participant);
-  if (!kept.empty()) {
+  if (!keptFingerprints.empty()) {
     study.events().append(
-        {.when = now, .kind = EventKind::NotedIdentities, .values = {{"rows", kept}}});
+        {.when = now, .kind = EventKind::NotedIdentities, .values = {{"rows", keptFingerprints}}});
   }
-  if (!isAgain) study.signTrail(nameOf(EventKind::Erased));
+  if (!isRepetition) study.signTrail(nameOf(EventKind::Erased));
   return answers;
 }
 
@@ -280,7 +280,7 @@ ErasureReport eraseParticipant(Study& study, const ErasureRequest& request) {
     report.areNamesLocked = report.names > 0 && study.identities().isLocked();
   }
   study.database().execute("PRAGMA secure_delete = ON");
-  study.transact([&] { report.answers = eraseRows(study, report.erasure, request.isAgain); });
+  study.transact([&] { report.answers = eraseRows(study, report.erasure, request.isRepetition); });
   study.retryWithReservedSpace([&] { finish(study, report.erasure); });
   report.filesWithTexts = report.texts.filesIn(
       study.folder(),
@@ -305,7 +305,7 @@ void repeatErasure(Study& study, const storage::ListedErasure& erasure) {
        .level = erasure.level,
        .reason = "erased from another copy on " + erasure.utc,
        .resealsTrail = true,
-       .isAgain = true});
+       .isRepetition = true});
 }
 
 bool hasPendingErasures(storage::Database& database) {
@@ -328,7 +328,7 @@ void finishPendingErasures(Study& study) {
 
 std::string remarkOnUnsealedTrail(Study& study) {
   std::uint64_t open = 0;
-  for (const auto& code : people(study)) open += isSealed(study, code) ? 0 : 1;
+  for (const auto& code : participantCodes(study)) open += isSealed(study, code) ? 0 : 1;
   if (open == 0) return {};
   return "an older release wrote what it says of " +
          words::counted(open, "participant", "participants") +

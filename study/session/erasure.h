@@ -20,7 +20,7 @@ struct ErasureRequest {
   bool resealsTrail = false;
   /// The request repeats in this copy an erasure of another copy. The trail is then not signed,
   /// because the study itself does not have these events.
-  bool isAgain = false;
+  bool isRepetition = false;
 };
 
 /// The result of an erasure.

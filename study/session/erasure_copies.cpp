@@ -168,7 +168,7 @@ std::vector<KnownCopy> knownCopies(Study& study) {
   return copies;
 }
 
-std::vector<KnownCopy> copiesLeft(
+std::vector<KnownCopy> copiesNotErased(
     Study& study, const std::vector<ErasedCopy>& done, const std::string& participant) {
   auto known = knownCopies(study);
   std::erase_if(known, [&](const KnownCopy& copy) {

@@ -45,7 +45,7 @@ struct ErasedCopy {
 
 /// The known copies that are not in @p done, which also has those where an erasure failed, and the
 /// copies of the consent form of @p participant (recordConsentCopy()).
-std::vector<KnownCopy> copiesLeft(
+std::vector<KnownCopy> copiesNotErased(
     Study& study, const std::vector<ErasedCopy>& done, const std::string& participant);
 
 /// Erases a participant from a copy of the study: from a backup, or by deleting an export or the

@@ -42,7 +42,7 @@ class ExpectedIdentities {
 
   /// Whether the row belongs to the present step of an unfinished session. Differences of such rows
   /// are noted when the session is resumed.
-  bool isUnderWay(const std::string& row) const {
+  bool isInPresentStep(const std::string& row) const {
     for (const auto& [id, session] : sessions_) {
       if (isOver(session.state)) continue;
       const storage::IdentityStore::Place place{
@@ -63,11 +63,11 @@ class ExpectedIdentities {
     } else if (event.name() == "erased" && textOf(event, "level") != "answers") {
       erased_.insert(textOf(event, "participant"));
     } else if (event.visit && sessions_.count(event.visit->session) > 0) {
-      addOfSession(event);
+      addSessionEvent(event);
     }
   }
 
-  void addOfSession(const storage::Event& event) {
+  void addSessionEvent(const storage::Event& event) {
     const auto& session = sessions_.at(event.visit->session);
     const auto nameFor = [&](const std::string& item) {
       return nameOf(
@@ -95,35 +95,35 @@ std::map<std::string, std::string> presentRows(Study& study) {
 
 void compare(
     const std::string& row,
-    const std::string& said,
+    const std::string& expected,
     const std::map<std::string, std::string>& present,
     Findings& findings) {
   const auto here = present.find(row);
-  if (said == kNoRow ? here != present.end() : here == present.end()) {
+  if (expected == kNoRow ? here != present.end() : here == present.end()) {
     findings.problems.push_back(
-        "what names " + row + (said == kNoRow ? " was gone, and is there" : " is missing"));
-  } else if (said != kNoRow && said != kUnknown && here->second != said) {
+        "what names " + row + (expected == kNoRow ? " was gone, and is there" : " is missing"));
+  } else if (expected != kNoRow && expected != kUnknown && here->second != expected) {
     findings.problems.push_back("what names " + row + " is not what the audit trail says");
   }
 }
 
 /// Appends to the trail the fingerprints of rows that differ from it and whose names begin with
-/// @p where.
-void noteRows(Study& study, const std::string& where) {
+/// @p prefix.
+void noteRows(Study& study, const std::string& prefix) {
   if (!study.fingerprintSecret()) return;
   const auto present = presentRows(study);
-  const ExpectedIdentities said(study);
+  const ExpectedIdentities expected(study);
   std::string pairs;
   const auto add = [&](const std::string& row, const std::string& fingerprint) {
-    if (row.starts_with(where)) pairs += (pairs.empty() ? "" : " ") + row + "=" + fingerprint;
+    if (row.starts_with(prefix)) pairs += (pairs.empty() ? "" : " ") + row + "=" + fingerprint;
   };
   for (const auto& [row, fingerprint] : present) {
-    const auto known = said.rows().find(row);
-    const bool isKnown =
-        known != said.rows().end() && (known->second == fingerprint || known->second == kUnknown);
+    const auto known = expected.rows().find(row);
+    const bool isKnown = known != expected.rows().end() &&
+                         (known->second == fingerprint || known->second == kUnknown);
     if (!isKnown) add(row, fingerprint);
   }
-  for (const auto& [row, fingerprint] : said.rows()) {
+  for (const auto& [row, fingerprint] : expected.rows()) {
     if (present.count(row) == 0 && fingerprint != kNoRow) add(row, kNoRow);
   }
   if (!pairs.empty()) {
@@ -160,11 +160,12 @@ void recordFingerprintsOfSealedRows(Study& study) {
   const auto secret = study.fingerprintSecret();
   if (!secret) return;
   const auto present = presentRows(study);
-  const ExpectedIdentities said(study);
+  const ExpectedIdentities expected(study);
   std::string pairs;
   for (const auto& before : storage::identityRowsBeforeSealing(study.identities())) {
-    const auto known = said.rows().find(before.name);
-    if (known == said.rows().end() || known->second != secret->fingerprint(before.bytes)) continue;
+    const auto known = expected.rows().find(before.name);
+    if (known == expected.rows().end() || known->second != secret->fingerprint(before.bytes))
+      continue;
     pairs += (pairs.empty() ? "" : " ") + before.name + "=" + present.at(before.name);
   }
   if (!pairs.empty()) {
@@ -175,15 +176,15 @@ void recordFingerprintsOfSealedRows(Study& study) {
 storage::Findings checkIdentities(Study& study) {
   Findings findings;
   const auto present = presentRows(study);
-  const ExpectedIdentities said(study);
+  const ExpectedIdentities expected(study);
   std::size_t unknown = 0;
-  for (const auto& [row, fingerprint] : said.rows()) {
-    if (said.isErased(row) || said.isUnderWay(row)) continue;
+  for (const auto& [row, fingerprint] : expected.rows()) {
+    if (expected.isErased(row) || expected.isInPresentStep(row)) continue;
     compare(row, fingerprint, present, findings);
     if (fingerprint == kUnknown) ++unknown;
   }
   for (const auto& [row, fingerprint] : present) {
-    if (said.rows().count(row) > 0 || said.isUnderWay(row)) continue;
+    if (expected.rows().count(row) > 0 || expected.isInPresentStep(row)) continue;
     if (fingerprint == kUnknown) {
       ++unknown;
     } else {

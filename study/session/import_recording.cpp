@@ -56,15 +56,15 @@ haptics::recordings::ImportedCut importRecording(
 
 haptics::recordings::ImportedCut importPublishedCut(
     const haptics::recordings::Recording& recording) {
-  constexpr double kAsRecorded = 1e6;  // limit of the slope, steeper than any recording [N/travel
-                                       // unit]
+  constexpr double kUnlimitedSlope = 1e6;  // limit of the slope, steeper than any recording
+                                           // [N/travel unit]
   const auto rows = haptics::recordings::publishedCutIn(recording);
   if (!rows) return importRecording(recording, {});
   return importRecording(
       recording,
       {.rows = rows,
        .filter = {.kind = haptics::recordings::TravelFilter::Kind::AuthorsFir333},
-       .maxSlope = kAsRecorded});
+       .maxSlope = kUnlimitedSlope});
 }
 
 std::string withRecordedCut(std::string protocol, const std::string& file) {

@@ -40,7 +40,7 @@ void requireValid(Study& study, const SessionRow& row, const std::vector<Step>& 
   if (!isAStep && !isOver(row.state)) refuseDamaged("This session stands before no step.");
 }
 
-void requirePossible(const protocols::Protocol& protocol, const Enrolment& enrolment) {
+void requirePossibleEnrolment(const protocols::Protocol& protocol, const Enrolment& enrolment) {
   const auto& languages = protocol.languages;
   if (protocol.cohort(enrolment.cohort) == nullptr) {
     throw UserError("The protocol has no cohort '" + enrolment.cohort + "'.");
@@ -77,7 +77,7 @@ void requireOwnSessions(const Study& study) {
 
 /// The participant's code, with the station's label before it, so that stations cannot have equal
 /// codes.
-std::string codeAt(const Station& station, const std::string& code) {
+std::string codeWithStation(const Station& station, const std::string& code) {
   if (code.empty() || station.isNone() || code.starts_with(station.label + "_")) return code;
   return station.label + "_" + code;
 }
@@ -94,7 +94,7 @@ void prepareParticipant(Study& study, const SessionRow& row) {
 }
 
 /// Stores a new participant's first session, inside the caller's transaction.
-std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
+std::vector<Step> addFirstSession(Study& study, SessionRow& row, const Moment& now) {
   auto sessions = study.sessions();
   row.protocol = study.protocols().current().id;
   row.startedUtc = asUtc(now.wall);
@@ -117,8 +117,8 @@ struct Pause {
   std::optional<double> byWallClockAlone;
 };
 
-/// The monotonic clock counts on only on the same computer, until it is restarted. Otherwise the
-/// pause is the difference of the wall clocks, or 0 if it is negative.
+/// Measured by the monotonic clock if the session continues on the same computer and this was not
+/// restarted. Otherwise the pause is the difference of the wall clocks, or 0 if that is negative.
 std::optional<Pause> pauseOf(
     Study& study, const SessionRow& row, const std::optional<storage::Lease::Holder>& holder) {
   if (row.runMode == RunMode::Simulated) return std::nullopt;  // its time is simulated
@@ -143,20 +143,20 @@ Session::Session(Study& study, SessionRow row, std::vector<Step> plan, storage::
 
 Session Session::enrol(Study& study, const Enrolment& enrolment) {
   requireOwnSessions(study);
-  requirePossible(study.protocol().protocol, enrolment);
+  requirePossibleEnrolment(study.protocol().protocol, enrolment);
   SessionRow row;
   std::vector<Step> plan;
   std::optional<storage::Lease> lease;
   study.transact([&] {
     const Moment now = study.clock().now();
     row = {
-        .participant = codeAt(study.station(), enrolment.code),
+        .participant = codeWithStation(study.station(), enrolment.code),
         .runMode = enrolment.runMode,
         .cohort = enrolment.cohort,
         .language = enrolment.language,
         .site = study.station().site,
         .station = study.station().label};
-    plan = enrolIn(study, row, now);
+    plan = addFirstSession(study, row, now);
     lease.emplace(study.database(), row.id, row.startedUtc);
     study.events().append(
         {.visit = VisitKey{row.id, 0, 1},
@@ -171,7 +171,7 @@ Session Session::enrol(Study& study, const Enrolment& enrolment) {
   return Session(study, std::move(row), std::move(plan), std::move(*lease));
 }
 
-Session Session::resume(Study& study, SessionId id, const std::string& takeOver) {
+Session Session::resume(Study& study, SessionId id, const std::string& takeOverReason) {
   using From = storage::Lease::From;
   requireOwnSessions(study);
   auto row = study.sessions().load(id);
@@ -183,7 +183,7 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
         study.database(),
         id,
         asUtc(study.clock().now().wall),
-        takeOver.empty() ? From::EndedPrograms : From::OtherComputersToo);
+        takeOverReason.empty() ? From::EndedPrograms : From::OtherComputersToo);
     row = study.sessions().load(id);  // read again: now that the lease is held, no other program
                                       // can change the row
     transaction.commit();
@@ -202,7 +202,7 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
           {{"station", holder->station},
            {"process", holder->pid},
            {"since", holder->since},
-           {"reason", takeOver}});
+           {"reason", takeOverReason}});
     }
     base::NamedArguments values;
     if (pause && pause->byWallClockAlone) values = {{"pause_s", *pause->byWallClockAlone}};
@@ -225,9 +225,9 @@ bool Session::isRightAfterConsent() const noexcept {
 
 /// Whether the previous step cannot be repeated: there is none, or it is the consent form.
 bool isRightAfterConsent(SessionState state, const std::vector<Step>& plan, int step) noexcept {
-  const bool isAgain = state == SessionState::Interrupted;
+  const bool isAfterBreakOff = state == SessionState::Interrupted;
   const auto before = static_cast<std::size_t>(step) - 1;
-  return !isAgain && (step == 0 || plan[before].kind == StepKind::Consent);
+  return !isAfterBreakOff && (step == 0 || plan[before].kind == StepKind::Consent);
 }
 
 bool allows(
@@ -294,14 +294,14 @@ void Session::resolveUnknownCommit() {
 }
 
 void Session::appendEvent(Actor actor, EventKind kind, const std::string& detail) {
-  keep({.actor = actor, .kind = kind, .detail = detail});
+  addEvent({.actor = actor, .kind = kind, .detail = detail});
 }
 
 void Session::appendEvent(Actor actor, EventKind kind, base::NamedArguments values) {
-  keep({.actor = actor, .kind = kind, .values = std::move(values)});
+  addEvent({.actor = actor, .kind = kind, .values = std::move(values)});
 }
 
-void Session::keep(storage::Event event) {
+void Session::addEvent(storage::Event event) {
   event.visit = visit();
   event.when = study_.clock().now();
   recordClockStep(event.when);

@@ -39,10 +39,10 @@ class Session {
   static Session enrol(Study& study, const Enrolment& enrolment);
 
   /// Continues a session at its present step. A trial that was running counts as broken off.
-  /// @param takeOver  the reason, for the audit trail, to take the session over from another
+  /// @param takeOverReason  the reason, for the audit trail, to take the session over from another
   ///     computer; empty: the session is not taken over.
   /// @throws storage::StorageError  (Busy) if another program has the session open.
-  static Session resume(Study& study, SessionId id, const std::string& takeOver = {});
+  static Session resume(Study& study, SessionId id, const std::string& takeOverReason = {});
 
   SessionId id() const noexcept { return row_.id; }
   const std::string& participant() const noexcept { return row_.participant; }
@@ -93,7 +93,7 @@ class Session {
   void finishStep();
 
   /// Skips an optional trial (Step::isOptionalTrial). @throws UserError  if the present step is
-  /// none.
+  /// no optional trial.
   void skipOptionalTrial();
 
   void beginTrial();
@@ -136,7 +136,7 @@ class Session {
   void appendEvent(storage::Actor actor, EventKind kind, const std::string& detail = {});
   void appendEvent(storage::Actor actor, EventKind kind, base::NamedArguments values);
   /// Adds an event to the present transaction.
-  void keep(storage::Event event);
+  void addEvent(storage::Event event);
   /// Adds an event ClockStepped if the wall clock was set since the last event.
   void recordClockStep(const Moment& now);
   std::string utcNow() const;

@@ -127,22 +127,21 @@ TrialRecord Session::abortedRecord(TrialEnding ending) {
   return record;
 }
 
-/// From a questionnaire about a condition it is the trial
-/// of that condition. From the step after such a questionnaire it is the questionnaire, or the
-/// trial if the trial was not finished: without its trial, no questions about a condition are
-/// asked.
+/// In a questionnaire about a condition, the step to repeat is the trial of that condition. In the
+/// step after such a questionnaire, it is the questionnaire, or the trial if the trial was not
+/// finished: without its trial, no questions about a condition are asked.
 int Session::stepToRepeat() const {
   if (row_.state == SessionState::Interrupted) return row_.step;
   const auto isQuestionnaire = [&](int step) {
     return plan_[static_cast<std::size_t>(step)].kind == StepKind::Questionnaire;
   };
   const int before = row_.step - 1;
-  int felt = isQuestionnaire(row_.step) ? row_.step : before;
-  while (isQuestionnaire(felt)) --felt;
-  if (isQuestionnaire(row_.step) || felt == before) return felt;
+  int trialStep = isQuestionnaire(row_.step) ? row_.step : before;
+  while (isQuestionnaire(trialStep)) --trialStep;
+  if (isQuestionnaire(row_.step) || trialStep == before) return trialStep;
   auto sessions = study_.sessions();
-  const VisitKey last{row_.id, felt, sessions.attempts(row_.id, felt)};
-  return sessions.statusOf(last) == VisitStatus::Finished ? before : felt;
+  const VisitKey last{row_.id, trialStep, sessions.attempts(row_.id, trialStep)};
+  return sessions.statusOf(last) == VisitStatus::Finished ? before : trialStep;
 }
 
 void Session::repeatStep(const std::string& reason) {

@@ -48,7 +48,7 @@ void makeFolder(const fs::path& folder) {
 }
 
 /// Creates the databases of a new study and writes their first rows.
-void begin(
+void createDatabases(
     const fs::path& folder,
     const protocols::LoadedProtocol& protocol,
     Clock& clock,
@@ -123,7 +123,7 @@ Study Study::create(
   const auto usedSecret = secret ? *secret : storage::BlindingSecret::drawn();
   const auto hash = storage::sha256(protocol.text, protocol.files);
   try {
-    begin(
+    createDatabases(
         folder,
         protocol,
         clock,

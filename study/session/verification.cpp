@@ -68,7 +68,7 @@ storage::Findings signatures(Study& study) {
       .checkSignatures(station ? station->publicKey() : std::string());
 }
 
-/// What this station has noted of a study so far.
+/// The heads that this station has noted of a study so far, to be compared with its trail.
 class StationNotes {
  public:
   explicit StationNotes(const Study& study) {
@@ -187,7 +187,8 @@ void checkAnswers(Study& study, SessionId session, Problems& problems) {
 }
 
 Problems answers(Study& study) {
-  // Also sessions that only one of them knows, and whose own row is missing.
+  // Includes sessions that only the audit trail or only the table of answers has, and sessions
+  // whose own row is missing.
   storage::Statement select(
       study.database(),
       "SELECT session_id FROM event WHERE session_id IS NOT NULL "
@@ -301,7 +302,8 @@ Problems traces(Study& study, const Progress& progress) {
   const auto trials = recordsOf(study).trials();
   for (const auto& trial : trials) {
     const double done = static_cast<double>(expected.size()) / static_cast<double>(trials.size());
-    tell(progress, kShareBeforeTraces + (1.0 - kShareBeforeTraces) * done, kTraceCheckTitle);
+    announceProgress(
+        progress, kShareBeforeTraces + (1.0 - kShareBeforeTraces) * done, kTraceCheckTitle);
     expected.insert(trial.step.visit);
     checkTrace(study, trial, kept[trial.step.visit], problems);
   }
@@ -389,10 +391,10 @@ Verification verify(Study& study, const Progress& progress, const VerifyOptions&
   const StationNotes noted(study);  // before the snapshot, which then has all that was signed
   const ConsistentSnapshot moment(study);
   Verification result;
-  const auto look = [&](const char* what,
-                        const std::function<storage::Findings(Study&)>& findingsOf) {
+  const auto runCheck = [&](const char* what,
+                            const std::function<storage::Findings(Study&)>& findingsOf) {
     const auto done = static_cast<double>(result.checks.size()) / kChecksBeforeTraces;
-    tell(progress, kShareBeforeTraces * done, what);
+    announceProgress(progress, kShareBeforeTraces * done, what);
     storage::Findings found;
     try {
       found = findingsOf(study);
@@ -402,23 +404,25 @@ Verification verify(Study& study, const Progress& progress, const VerifyOptions&
     result.checks.push_back({what, std::move(found.problems), std::move(found.remarks)});
   };
   const auto check = [&](const char* what, const std::function<Problems(Study&)>& problemsOf) {
-    look(what, [&](Study& of) { return storage::Findings{.problems = problemsOf(of)}; });
+    runCheck(what, [&](Study& checkedStudy) {
+      return storage::Findings{.problems = problemsOf(checkedStudy)};
+    });
   };
-  look("the database files are whole, and every reference leads to a row", filesAndRights);
-  look("tables, indexes and triggers are those that the program makes", schemas);
+  runCheck("the database files are whole, and every reference leads to a row", filesAndRights);
+  runCheck("tables, indexes and triggers are those that the program makes", schemas);
   check("the audit trail is unbroken", auditTrail);
   result.checks.back().remarks = remarksOn(study);
-  look("every signature matches the events before it", signatures);
-  look("the audit trail continues everything that this station signed", [&](Study& of) {
-    return noted.compareWith(of, options.isOlderCopy);
-  });
+  runCheck("every signature matches the events before it", signatures);
+  runCheck(
+      "the audit trail continues everything that this station signed",
+      [&](Study& checkedStudy) { return noted.compareWith(checkedStudy, options.isOlderCopy); });
   check("all data agree with the audit trail", contents);
   check("every answer is what the audit trail says", answers);
-  look("names are as they were entered", identities);
+  runCheck("names are as they were entered", identities);
   check("every protocol is what its hash says", protocolHashes);
-  look("every order is the one that was drawn", orders);
+  runCheck("every order is the one that was drawn", orders);
   if (!options.noted.empty()) {
-    const bool isHeld = study.events().extends(options.noted);
+    const bool isHeld = study.events().containsNotedHead(options.noted);
     Problems problems;
     if (!isHeld) {
       problems.push_back(
@@ -430,12 +434,13 @@ Verification verify(Study& study, const Progress& progress, const VerifyOptions&
   }
   if (!options.witness.empty()) {
     const auto witness = storage::readWitness(options.witness);
-    look("the audit trail goes on from every head in the witness file", [&](Study& of) {
-      return checkWitness(storage::TrailHeads(of.database()), witness);
-    });
+    runCheck(
+        "the audit trail goes on from every head in the witness file", [&](Study& checkedStudy) {
+          return checkWitness(storage::TrailHeads(checkedStudy.database()), witness);
+        });
   }
   result.head = study.events().headAsText();
-  check(kTraceCheckTitle, [&](Study& of) { return traces(of, progress); });
+  check(kTraceCheckTitle, [&](Study& checkedStudy) { return traces(checkedStudy, progress); });
   return result;
 }
 

@@ -19,8 +19,8 @@ namespace study::storage {
 namespace {
 
 constexpr std::chrono::milliseconds kBusyPause{2};
-constexpr int kMostPauses = 1500;       // about 3 s in all; then the caller gets an error
-constexpr std::size_t kMostIdle = 200;  // statements of a few kB; the program has fewer
+constexpr int kMostPauses = 1500;                 // about 3 s in all; then the caller gets an error
+constexpr std::size_t kMostIdleStatements = 200;  // statements of a few kB; the program has fewer
 
 /// Whether no account can write the file (an archive, or a read-only disk) and the file has no
 /// write-ahead log. SQLite cannot read a file with a log without write access.
@@ -97,7 +97,7 @@ Database::Database(std::string path, int flags, Reading reading) : path_(std::mo
 }
 
 Database::~Database() {
-  closeIdle();
+  closeIdleStatements();
   sqlite3_close(handle_);
 }
 
@@ -106,7 +106,7 @@ Database::Database(Database&& other) noexcept
       handle_(std::exchange(other.handle_, nullptr)),
       isRollbackScheduled_(other.isRollbackScheduled_),
       key_(other.key_),
-      idle_(std::exchange(other.idle_, {})) {}
+      idleStatements_(std::exchange(other.idleStatements_, {})) {}
 
 Database Database::create(const std::string& path, const Schema& schema) {
   if (std::filesystem::exists(path)) {
@@ -128,7 +128,7 @@ Database Database::open(const std::string& path, const Schema& schema, Access ac
     throw StorageError("There is no file " + path + ". Is this the folder of a study?");
   }
   try {
-    return openNow(path, schema, access, Reading::SharedLocks);
+    return openWithReading(path, schema, access, Reading::SharedLocks);
   } catch (const StorageError& error) {
     if (error.kind() != StorageError::Kind::DiskFull) throw;
   }
@@ -138,10 +138,10 @@ Database Database::open(const std::string& path, const Schema& schema, Access ac
   const bool hasLog =
       fs::exists(path + "-wal", ignored) && fs::file_size(path + "-wal", ignored) > 0;
   const bool isAlone = !hasSpace && !hasLog && access == Access::ReadOnly;
-  return openNow(path, schema, access, isAlone ? Reading::Immutable : Reading::SharedLocks);
+  return openWithReading(path, schema, access, isAlone ? Reading::Immutable : Reading::SharedLocks);
 }
 
-Database Database::openNow(
+Database Database::openWithReading(
     const std::string& path, const Schema& schema, Access access, Reading reading) {
   const bool isReadOnly = access == Access::ReadOnly;
   Database database(path, isReadOnly ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE, reading);
@@ -270,9 +270,9 @@ std::string Database::integrityCheckProblems() {
 }
 
 sqlite3_stmt* Database::compiled(const std::string& sql) const {
-  if (const auto found = idle_.find(sql); found != idle_.end()) {
+  if (const auto found = idleStatements_.find(sql); found != idleStatements_.end()) {
     sqlite3_stmt* statement = found->second;
-    idle_.erase(found);
+    idleStatements_.erase(found);
     return statement;
   }
   sqlite3_stmt* statement = nullptr;
@@ -288,26 +288,26 @@ sqlite3_stmt* Database::compiled(const std::string& sql) const {
 }
 
 void Database::giveBack(sqlite3_stmt* statement) const noexcept {
-  if (statement == nullptr) return;  // of a text without a statement
+  if (statement == nullptr) return;  // its text contained no statement
   // An idle statement has no lock and no values of rows.
   sqlite3_reset(statement);
   sqlite3_clear_bindings(statement);
   // Some pragmas act when they are compiled.
   const std::string_view sql = sqlite3_sql(statement);
   if (!sql.starts_with("PRAGMA")) {
-    if (idle_.size() >= kMostIdle) closeIdle();
+    if (idleStatements_.size() >= kMostIdleStatements) closeIdleStatements();
     try {
-      if (idle_.emplace(sql, statement).second) return;
+      if (idleStatements_.emplace(sql, statement).second) return;
     } catch (const std::bad_alloc&) {
-      // It is not kept.
+      // The statement is finalised below instead of being kept.
     }
   }
   sqlite3_finalize(statement);
 }
 
-void Database::closeIdle() const noexcept {
-  for (const auto& [sql, statement] : idle_) sqlite3_finalize(statement);
-  idle_.clear();
+void Database::closeIdleStatements() const noexcept {
+  for (const auto& [sql, statement] : idleStatements_) sqlite3_finalize(statement);
+  idleStatements_.clear();
 }
 
 std::int64_t Database::lastInsertedId() const noexcept {

@@ -108,9 +108,9 @@ class Database {
 
   Database(std::string path, int flags, Reading reading = Reading::SharedLocks);
   /// Opens the file with or without locks; open() has chosen which.
-  static Database openNow(
+  static Database openWithReading(
       const std::string& path, const Schema& schema, Access access, Reading reading);
-  void closeIdle() const noexcept;
+  void closeIdleStatements() const noexcept;
   void configure(Access access);
   /// @throws StorageError  if the application id is not that of @p schema.
   void requireApplicationId(const Schema& schema) const;
@@ -125,7 +125,7 @@ class Database {
   bool isRollbackScheduled_ = false;
   std::optional<SealingKey> key_;
   /// Compiled statements that nothing uses, by the text that they keep.
-  mutable std::unordered_map<std::string_view, sqlite3_stmt*> idle_;
+  mutable std::unordered_map<std::string_view, sqlite3_stmt*> idleStatements_;
 };
 
 }  // namespace study::storage

@@ -10,7 +10,7 @@
 namespace study::storage {
 namespace {
 
-// 1 MiB. After each, progress is reported and the copying can be cancelled.
+// 1 MiB. After each part of this size, progress is reported and the copying can be cancelled.
 constexpr int kPagesAtATime = 256;
 
 struct BackupDeleter {

@@ -57,7 +57,7 @@ constexpr std::size_t kDigitsOfHead = 32;  // 128 bits: short enough to be read 
 constexpr const char* kColumnsBeforeSealing =
     "seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, hash, content_hash, "
     "NULL";
-constexpr int kAfterEvent = 12;
+constexpr int kFirstColumnAfterEvent = 12;
 
 /// The columns of events; a file of an older format that was opened for reading only lacks the last
 /// one.
@@ -261,10 +261,10 @@ std::string describe(const Event& event) {
   if (event.isSealed) return "(sealed)";
   const auto pattern = patternOf(event.kind);
   if (pattern.english.empty() || event.values.empty()) return event.detail;
-  const auto* counted = event.value(pattern.counted);
-  const bool isOne = counted != nullptr && *counted == base::Argument(std::int64_t{1});
+  const auto* countedValue = event.value(pattern.countedValue);
+  const bool isOne = countedValue != nullptr && *countedValue == base::Argument(std::int64_t{1});
   try {
-    std::string words = base::filled(isOne ? pattern.ofOne : pattern.english, event.values);
+    std::string words = base::filled(isOne ? pattern.singular : pattern.english, event.values);
     if (event.value("drift_ppm") != nullptr) words += base::filled(kDrift, event.values);
     if (event.value("leaps") != nullptr) words += base::filled(kLeaps, event.values);
     if (event.value("limit_cycle_n") != nullptr) words += base::filled(kLimitCycle, event.values);
@@ -349,12 +349,13 @@ void EventLog::putStored(const StoredEvent& event) {
   insert(database_, event.seq, event, event.hash);
 }
 
-void EventLog::appendFromOtherTrail(const StoredEvent& event, const SealingKey* key, bool vouches) {
+void EventLog::appendFromOtherTrail(
+    const StoredEvent& event, const SealingKey* key, bool hasContentHash) {
   Row row{event};
   const bool isToBeSealed =
       key != nullptr && row.session && row.sealed.empty() && row.kind != nameOf(EventKind::Erased);
   row.content.clear();
-  if (vouches) {
+  if (hasContentHash) {
     row.content = asBytes(
         row.session ? contentHash(database_, SessionId{*row.session}, isToBeSealed ? key : nullptr)
                     : contentHash(database_));
@@ -385,7 +386,7 @@ std::string EventLog::headAsText() const {
   return words;
 }
 
-bool EventLog::extends(const std::string& noted) const {
+bool EventLog::containsNotedHead(const std::string& noted) const {
   const auto comma = noted.find(',');
   std::string digits;
   for (const char c : noted.substr(comma == std::string::npos ? 0 : comma + 1)) {
@@ -509,7 +510,8 @@ std::vector<Event> EventLog::eventsIn(Statement& select) const {
           static_cast<int>(row.step.value_or(0)),
           static_cast<int>(row.attempt.value_or(1))};
     }
-    event.when = {select.number(kAfterEvent) * 1000 + millisecondsIn(row.utc), row.monotonic};
+    event.when = {
+        select.number(kFirstColumnAfterEvent) * 1000 + millisecondsIn(row.utc), row.monotonic};
     events.push_back(std::move(event));
   }
   return events;

@@ -105,7 +105,7 @@ class EventLog {
   /// returned earlier, with or without the number of events. If so, no event up to that one was cut
   /// off or rewritten.
   /// @throws UserError  if @p noted is not such a text.
-  bool extends(const std::string& noted) const;
+  bool containsNotedHead(const std::string& noted) const;
 
   /// The number of the last event; 0 before the first.
   std::int64_t last() const;
@@ -163,8 +163,9 @@ class EventLog {
   /// @param event  with the session's number in this study; its detail is unsealed, unless it
   ///     cannot be
   /// @param key  the content key of its participant; nullptr: the event is not sealed
-  /// @param vouches  whether the event gets a hash of the tables: for the last event of a session
-  void appendFromOtherTrail(const StoredEvent& event, const SealingKey* key, bool vouches);
+  /// @param hasContentHash  whether the event gets a hash of the tables: for the last event of a
+  /// session
+  void appendFromOtherTrail(const StoredEvent& event, const SealingKey* key, bool hasContentHash);
 
   /// Calls @p append, which appends many events, inside the caller's transaction. The triggers that
   /// protect the trail are removed meanwhile: with them SQLite would keep a journal for every

@@ -41,7 +41,7 @@ std::vector<std::byte> asBytes(const Hash& hash);
 std::string inHexadecimal(std::span<const unsigned char> bytes);
 std::string inHexadecimal(std::span<const std::byte> bytes);
 
-/// Fills @p bytes. @return  false unless @p text has exactly their digits
+/// Reads two digits for each of @p bytes. @return  false unless @p text has exactly these digits
 bool readHexadecimal(std::string_view text, std::span<unsigned char> bytes);
 
 /// An array of unsigned char; std::nullopt unless @p text has exactly its digits.

@@ -70,15 +70,15 @@ struct Writer {
 
 /// The leases that this process holds. If the row of an ended lease could not be removed, it is
 /// still in the table but no longer in this set.
-class Tokens {
+class HeldLeases {
  public:
   std::string make() {
     const std::lock_guard lock(mutex_);
-    const std::string token = processMarkOf(getpid()) + "#" + std::to_string(++made_);
+    const std::string token = processMarkOf(getpid()) + "#" + std::to_string(++tokenCount_);
     held_.insert(token);
     return token;
   }
-  void drop(const std::string& token) {
+  void release(const std::string& token) {
     const std::lock_guard lock(mutex_);
     held_.erase(token);
   }
@@ -90,18 +90,18 @@ class Tokens {
  private:
   std::mutex mutex_;
   std::set<std::string> held_;
-  std::uint64_t made_ = 0;
+  std::uint64_t tokenCount_ = 0;
 };
 
-Tokens& tokens() {
-  static Tokens all;
+HeldLeases& heldLeases() {
+  static HeldLeases all;
   return all;
 }
 
 /// Whether the program that wrote a lease's row is still running.
 bool isAlive(const Writer& writer) {
   if (!writer.isOnThisComputer()) return true;  // its process cannot be looked up from here
-  if (writer.pid == getpid()) return tokens().isHeld(writer.token);
+  if (writer.pid == getpid()) return heldLeases().isHeld(writer.token);
   const std::string mark = processMarkOf(writer.pid);
   return mark.substr(0, mark.find('@')) == writer.mark().substr(0, writer.mark().find('@'));
 }
@@ -118,7 +118,7 @@ std::string lastStored(const Database& database, SessionId session) {
 }  // namespace
 
 Lease::Lease(Database& database, SessionId session, const std::string& utc, From from)
-    : database_(&database), session_(session), token_(tokens().make()) {
+    : database_(&database), session_(session), token_(heldLeases().make()) {
   const auto held = holder(database, session);
   const bool isFree = !held || !held->isAlive;
   if (!isFree && (held->isOnThisComputer || from == From::EndedPrograms)) {
@@ -182,8 +182,8 @@ Lease::Lease(Lease&& other) noexcept
 
 Lease::~Lease() {
   if (database_ == nullptr) return;
-  tokens().drop(token_);  // first, so that isAlive() finds the lease free even if the row cannot be
-                          // removed
+  heldLeases().release(token_);  // first, so that isAlive() finds the lease free even if the row
+                                 // cannot be removed
   try {
     Statement give(*database_, "DELETE FROM lease WHERE session_id = ? AND process = ?");
     give.bind(1, static_cast<std::int64_t>(session_)).bind(2, token_);

@@ -95,7 +95,7 @@ std::string prefixOf(std::int64_t cut) {
 }
 
 /// The measured values in JSON, by columns of trial and of cut; missing values are left out.
-std::string measured(const NamedRow& trial, const std::vector<NamedRow>& cuts) {
+std::string measurementsAsJson(const NamedRow& trial, const std::vector<NamedRow>& cuts) {
   base::NamedArguments values;
   const auto addAll =
       [&](const NamedRow& row, std::string_view columns, const std::string& prefix) {
@@ -179,7 +179,7 @@ void TrialRepository::addSealed(
     const NamedRow& trial,
     const std::vector<NamedRow>& cuts,
     const SealingKey& key) {
-  const auto sealed = sealMeasurements(key, visit, measured(trial, cuts));
+  const auto sealed = sealMeasurements(key, visit, measurementsAsJson(trial, cuts));
   Statement insert(
       database_,
       "INSERT INTO trial (session_id, step, attempt, device, ending, verdict, verdict_reason, "

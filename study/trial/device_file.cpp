@@ -53,7 +53,7 @@ constexpr Choices<bool, 2> kRenderers{{{"host", false}, {"device", true}}};
 /// The value of a key that takes one of several names. @p fallback if the key is missing, or its
 /// value is unknown, which is reported.
 template <typename Known, typename Value>
-Value choice(const Node& node, std::string_view key, const Known& known, Value fallback) {
+Value readChoice(const Node& node, std::string_view key, const Known& known, Value fallback) {
   if (!node.has(key)) return fallback;
   std::string names;
   for (const auto& [text, value] : known) {
@@ -76,7 +76,7 @@ Value choice(const Node& node, std::string_view key, const Known& known, Value f
 
 /// A list of exactly @p count numbers between @p least and @p most; otherwise std::nullopt, and a
 /// problem is reported.
-std::optional<std::vector<double>> row(
+std::optional<std::vector<double>> readNumbers(
     const Node& node, std::string_view key, std::size_t count, double least, double most) {
   if (!node.has(key)) return std::nullopt;
   auto numbers = node.numbers(key, least, most);
@@ -118,7 +118,7 @@ SerialPunchSettings readSerial(const Node& node, const DeviceKind& kind) {
     p.serial = static_cast<std::uint32_t>(node.wholeNumber("serial", 0, 4'294'967'295));
   }
   p.build = readBuild(node);
-  settings.rendersOnDevice = choice(node, "renders", kRenderers, false);
+  settings.rendersOnDevice = readChoice(node, "renders", kRenderers, false);
   p.travelPerCount = node.number("travel_per_count", 1e-9, 1.0, p.travelPerCount);
   p.travelAtZero = node.number("travel_at_zero", -1000.0, 1000.0, 0.0);
   p.newtonsPerVolt = node.number("newtons_per_volt", 0.001, 100.0);
@@ -148,19 +148,21 @@ IiwaSettings readIiwa(const Node& node) {
     node.problem("robot_address", "it is no numeric IPv4 address", "write it as \"172.31.1.147\"");
   }
   settings.port = static_cast<std::uint16_t>(node.wholeNumber("port", 1024, 65'535, 30200));
-  settings.version = choice(node, "fri_version", kVersions, Version::V1_15);
-  settings.model = choice(node, "model", kModels, IiwaModel::Iiwa14);
-  settings.overlay = choice(node, "overlay", kOverlays, IiwaOverlay::CartesianWrench);
-  settings.wrenchFrame = choice(node, "wrench_frame", kFrames, haptics::devices::WrenchFrame::Tool);
-  if (const auto tool = row(node, "tool_m", 3, -1.0, 1.0)) settings.tool.position = asVector(*tool);
-  if (const auto axis = row(node, "axis", 3, -1.0, 1.0)) {
+  settings.version = readChoice(node, "fri_version", kVersions, Version::V1_15);
+  settings.model = readChoice(node, "model", kModels, IiwaModel::Iiwa14);
+  settings.overlay = readChoice(node, "overlay", kOverlays, IiwaOverlay::CartesianWrench);
+  settings.wrenchFrame =
+      readChoice(node, "wrench_frame", kFrames, haptics::devices::WrenchFrame::Tool);
+  if (const auto tool = readNumbers(node, "tool_m", 3, -1.0, 1.0))
+    settings.tool.position = asVector(*tool);
+  if (const auto axis = readNumbers(node, "axis", 3, -1.0, 1.0)) {
     settings.axis = asVector(*axis);
     if (!(settings.axis.norm() > 0.1)) {
       node.problem(
           "axis", "it points nowhere", "write a direction in the base, such as [0, 0, -1]");
     }
   }
-  if (const auto zero = row(node, "zero_joints_deg", 7, -180.0, 180.0)) {
+  if (const auto zero = readNumbers(node, "zero_joints_deg", 7, -180.0, 180.0)) {
     settings.zero.emplace();
     for (std::size_t i = 0; i < 7; ++i) (*settings.zero)[i] = kDegree * (*zero)[i];
   }
@@ -180,7 +182,7 @@ IiwaSettings readIiwa(const Node& node) {
 
 /// A type of connection: its keys other than "id" and "type", and the function that reads these
 /// keys.
-struct Type {
+struct ConnectionType {
   std::vector<std::string_view> keys;
   std::function<decltype(DeviceEntry::settings)(const Node&)> read;
 };
@@ -195,15 +197,15 @@ constexpr std::string_view kIiwaName = "iiwa-fri";
 
 /// All types of connection: one for simulating each kind of device, and one for each real device.
 /// All kinds on a serial line use the punch's wire protocol.
-std::vector<std::pair<std::string, Type>> types() {
-  std::vector<std::pair<std::string, Type>> types;
+std::vector<std::pair<std::string, ConnectionType>> connectionTypes() {
+  std::vector<std::pair<std::string, ConnectionType>> connectionTypes;
   for (const auto* kind : haptics::deviceKinds()) {
-    types.push_back(
+    connectionTypes.push_back(
         {simulatedName(*kind), {{}, [kind](const Node&) { return SimulatedSettings{kind}; }}});
   }
   for (const auto* kind : haptics::deviceKinds()) {
     if (kind->wire != haptics::devices::Wire::Serial) continue;
-    types.push_back(
+    connectionTypes.push_back(
         {serialName(*kind),
          {{"port",
            "baud",
@@ -218,7 +220,7 @@ std::vector<std::pair<std::string, Type>> types() {
            "damping_n_s_per_travel_unit"},
           [kind](const Node& node) { return readSerial(node, *kind); }}});
   }
-  types.push_back(
+  connectionTypes.push_back(
       {std::string(kIiwaName),
        {{"robot_address",
          "port",
@@ -236,12 +238,12 @@ std::vector<std::pair<std::string, Type>> types() {
          "pedal",
          "margins"},
         readIiwa}});
-  return types;
+  return connectionTypes;
 }
 
 std::optional<DeviceEntry> readEntry(const Node& node) {
   const std::string written = node.isObject() && node.has("type") ? node.text("type") : "";
-  const auto known = types();
+  const auto known = connectionTypes();
   const auto named = std::find_if(
       known.begin(), known.end(), [&](const auto& type) { return type.first == written; });
   std::vector<std::string_view> keys{"id", "type"};
@@ -254,7 +256,7 @@ std::optional<DeviceEntry> readEntry(const Node& node) {
     static_cast<void>(node.text("type"));  // reports that the key is missing
     return std::nullopt;
   }
-  return DeviceEntry{id, choice(node, "type", known, known.front().second).read(node)};
+  return DeviceEntry{id, readChoice(node, "type", known, known.front().second).read(node)};
 }
 
 template <typename Value, std::size_t N>

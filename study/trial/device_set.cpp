@@ -34,8 +34,8 @@ void limitToFeed(SimulatedHand::Person& person, double mostFeed) {
   constexpr double kPeakSpeedOfMinimumJerk = 1.875;
   constexpr double kShareOfFeed = 0.9;
   constexpr double kShareOfReach = 0.55;
-  const auto timeFor = [&](double way) {
-    return kPeakSpeedOfMinimumJerk * way / (kShareOfFeed * mostFeed);
+  const auto timeFor = [&](double distance) {
+    return kPeakSpeedOfMinimumJerk * distance / (kShareOfFeed * mostFeed);
   };
   if (!(mostFeed > 0.0) || timeFor(person.closed - person.open) <= person.closeTime) return;
   person.closed = person.open + kShareOfReach * (person.closed - person.open);
@@ -60,18 +60,18 @@ std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
     std::uint64_t slot,
     double mostFeed) {
   base::RandomStream random(seed, slot, "hand/" + cohort + "/" + need.id);
-  const auto from = [&](const haptics::devices::DeviceKind::Range& range) {
+  const auto draw = [&](const haptics::devices::DeviceKind::Range& range) {
     return random.uniform(range.least, range.most);
   };
   const auto& hand = need.kind->hand;
   SimulatedHand::Person person;
   person.pauseTime = random.uniform(0.2, 0.6);
   person.holdTime = random.uniform(0.1, 0.3);
-  person.closed = from(hand.reach);
-  person.closeTime = from(hand.closeTime);
-  person.openTime = from(hand.openTime);
-  person.stiffness = from(hand.stiffness);
-  person.damping = from(hand.damping);
+  person.closed = draw(hand.reach);
+  person.closeTime = draw(hand.closeTime);
+  person.openTime = draw(hand.openTime);
+  person.stiffness = draw(hand.stiffness);
+  person.damping = draw(hand.damping);
   person.variation = random.uniform(0.1, 0.25);
   person.seed = random.bits();
   limitToFeed(person, mostFeed);

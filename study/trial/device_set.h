@@ -51,13 +51,13 @@ class SimulatedDeviceSet final : public DeviceSet {
 
  private:
   /// An open device and the hand that moves it.
-  struct Held {
+  struct HeldDevice {
     std::unique_ptr<haptics::devices::Hand> hand;
     std::unique_ptr<haptics::devices::SimulatedDevice> device;
   };
 
   HandFor handFor_;
-  std::map<std::string, Held> open_;
+  std::map<std::string, HeldDevice> open_;
 };
 
 /// The smallest feed limit of the scenes that @p protocol renders on @p device [m/s]; infinity if

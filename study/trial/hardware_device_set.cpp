@@ -46,7 +46,7 @@ HardwareDeviceSet::HardwareDeviceSet(
     std::vector<DeviceEntry> entries, SimulatedDeviceSet::HandFor handFor)
     : entries_(std::move(entries)), handFor_(std::move(handFor)) {}
 
-Device& HardwareDeviceSet::made(const DeviceEntry& entry) {
+Device& HardwareDeviceSet::deviceOf(const DeviceEntry& entry) {
   auto& device = devices_[entry.id];
   if (!device) {
     device = std::visit(DeviceMaker{entry, handFor_, hands_[entry.id]}, entry.settings);
@@ -57,7 +57,7 @@ Device& HardwareDeviceSet::made(const DeviceEntry& entry) {
 Device* HardwareDeviceSet::find(const std::string& id) {
   const auto entry = std::find_if(
       entries_.begin(), entries_.end(), [&](const auto& candidate) { return candidate.id == id; });
-  return entry == entries_.end() ? nullptr : &made(*entry);
+  return entry == entries_.end() ? nullptr : &deviceOf(*entry);
 }
 
 Device& HardwareDeviceSet::device(const protocols::DeviceRequirement& need) {
@@ -88,7 +88,8 @@ void HardwareDeviceSet::prepare(
   for (const auto& entry : entries_) {
     const auto* punch = std::get_if<SerialPunchSettings>(&entry.settings);
     if (entry.id != need.id || punch == nullptr || !punch->rendersOnDevice) continue;
-    static_cast<haptics::devices::PunchDevice&>(made(entry)).renderOnDevice(scene, need.maxForce);
+    static_cast<haptics::devices::PunchDevice&>(deviceOf(entry))
+        .renderOnDevice(scene, need.maxForce);
   }
 }
 

@@ -34,7 +34,7 @@ class HardwareDeviceSet final : public DeviceSet {
 
  private:
   /// The device of an entry; creates it when first called, without opening it.
-  haptics::devices::Device& made(const DeviceEntry& entry);
+  haptics::devices::Device& deviceOf(const DeviceEntry& entry);
 
   std::vector<DeviceEntry> entries_;
   SimulatedDeviceSet::HandFor handFor_;

@@ -11,7 +11,7 @@ namespace {
 using haptics::devices::DeviceStatus;
 using haptics::engine::TickSample;
 
-constexpr std::chrono::milliseconds kDrainEvery{10};
+constexpr std::chrono::milliseconds kDrainInterval{10};
 
 }  // namespace
 
@@ -58,7 +58,7 @@ void LiveTrial::onCutLandmark(haptics::models::CutDetector<double>::Event landma
 
 void LiveTrial::record(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
-    std::this_thread::sleep_for(kDrainEvery);
+    std::this_thread::sleep_for(kDrainInterval);
     drain();
   }
   drain();
@@ -127,7 +127,7 @@ TrialRecord runRealtime(Trial& trial, int cuts, double longest) {
     }
     if (trial.isStopped()) return live.finish(TrialEnding::Stopped);
     if (std::chrono::steady_clock::now() >= until) return live.finish(TrialEnding::TimedOut);
-    std::this_thread::sleep_for(kDrainEvery);
+    std::this_thread::sleep_for(kDrainInterval);
   }
 }
 

@@ -136,7 +136,7 @@ void Trial::keep(const TickSample& sample) {
 void Trial::keepChunk() {
   if (chunk_.empty()) return;
   storeChunk_(chunks_, chunk_);
-  kept_ += static_cast<std::int64_t>(chunk_.size());
+  storedSamples_ += static_cast<std::int64_t>(chunk_.size());
   ++chunks_;
   chunk_.clear();
 }
@@ -166,7 +166,7 @@ TrialRecord Trial::finish(TrialEnding ending) {
     record.ending = TrialEnding::TraceLost;
   }
   statistics_.fillIn(record);
-  record.traceSamples = kept_;
+  record.traceSamples = storedSamples_;
   return record;
 }
 

@@ -116,7 +116,7 @@ class Trial {
   TrialStatistics statistics_;
   std::vector<storage::TraceSample> chunk_;
   int chunks_ = 0;
-  std::int64_t kept_ = 0;
+  std::int64_t storedSamples_ = 0;
 };
 
 /// Runs @p trial with the device's simulated hand, as fast as this computer can, until @p cuts cuts

@@ -84,7 +84,8 @@ int erase(ErasureArguments options) {
     certificate.copies.push_back(
         eraseFromCopy(folder, certificate.report.listed, certificate.report.texts, clock, known));
   }
-  certificate.left = copiesLeft(study, certificate.copies, certificate.report.erasure.participant);
+  certificate.notErasedFrom =
+      copiesNotErased(study, certificate.copies, certificate.report.erasure.participant);
   if (certificate.report.wasTrailResealed) {
     fmt::print("The audit trail was sealed again; 'palpate study verify' says so from now on.\n");
   }

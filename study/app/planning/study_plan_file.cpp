@@ -78,11 +78,11 @@ Json asJson(const FamilyPlan& family, const StudyPlan& plan) {
       {"alpha", family.alpha},
       {"alpha_per_test", family.alphaPerTest},
       {"fewest_for_exact_pair", family.fewestForSignificance},
-      {"participants_for_power", orNull(family.forPower)},
+      {"participants_for_power", orNull(family.sampleSizeForPower)},
       {"participants_for_power_balanced", orNull(family.recommended)}};
   json["prospects"] = Json::array();
   const bool hasSites = plan.planOptions.sites.has_value();
-  if (hasSites) json["participants_for_power_at_sites"] = orNull(family.forPowerAtSites);
+  if (hasSites) json["participants_for_power_at_sites"] = orNull(family.sampleSizeForPowerAtSites);
   for (std::size_t i = 0; i < plan.cohorts.size(); ++i) {
     auto& detectability =
         json["prospects"].emplace_back(asJson(family.detectabilities[i], plan.cohorts[i]));
@@ -138,7 +138,7 @@ std::string studyPlanAsJson(const StudyPlan& plan) {
     json["cohort_pairs"].push_back(
         {{"first", pair.first},
          {"second", pair.second},
-         {"smallest_mann_whitney", asJson(pair.smallest)}});
+         {"smallest_mann_whitney", asJson(pair.smallestP)}});
   }
   json["families"] = Json::array();
   for (const auto& family : plan.families) json["families"].push_back(asJson(family, plan));

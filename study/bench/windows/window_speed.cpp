@@ -101,7 +101,7 @@ void measureSession(gui::OperatorWindow& window, std::vector<double>& waits) {
 }  // namespace
 
 PlotSpeed measurePlots(double seconds) {
-  constexpr int kPictureEvery = 16;  // [ms]
+  constexpr int kPictureInterval = 16;  // [ms]
   gui::LivePlot plot;
   plot.resize(760, 260);
   plot.show();
@@ -119,7 +119,7 @@ PlotSpeed measurePlots(double seconds) {
   QTimer::singleShot(static_cast<int>(1000.0 * seconds), &loop, &QEventLoop::quit);
   const double before = processorTimeOfThread();
   clock.start();
-  pictures.start(kPictureEvery);
+  pictures.start(kPictureInterval);
   loop.exec();
   const double past = 1e-3 * static_cast<double>(clock.elapsed());
   return {shown / past, (processorTimeOfThread() - before) / past};

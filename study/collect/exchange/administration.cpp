@@ -66,8 +66,8 @@ std::vector<BackgroundItem> backgroundOf(const protocols::LoadedProtocol& loaded
     items.push_back(
         {.phase = question.phase,
          .item = question.item->id,
-         .width = question.coarsening.bandWidth(),
-         .isWhole = question.coarsening.isWhole()});
+         .width = question.hierarchy.bandWidth(),
+         .isWhole = question.hierarchy.isWhole()});
   }
   return items;
 }

@@ -190,7 +190,7 @@ PullResult pull(
   std::future<std::unique_ptr<StationPull>> next;
   if (!stations.empty()) next = verifyTrail(0);
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    tell(
+    announceProgress(
         progress,
         static_cast<double>(i) / static_cast<double>(stations.size()),
         stations[i].station.label);

@@ -153,10 +153,10 @@ CheckedProtocol checkProtocol(const std::string& source) {
   } catch (const base::UserError& error) {
     problems.add("$", error.what());
   }
-  return checked(source, std::move(text), std::move(loaded), problems.all());
+  return checkedProtocol(source, std::move(text), std::move(loaded), problems.all());
 }
 
-CheckedProtocol checked(
+CheckedProtocol checkedProtocol(
     std::string source,
     std::string text,
     std::optional<protocols::LoadedProtocol> loaded,

@@ -45,7 +45,7 @@ struct CheckedProtocol {
 /// a problem.
 CheckedProtocol checkProtocol(const std::string& source);
 /// The result for a protocol that was read, with the problems found in it.
-CheckedProtocol checked(
+CheckedProtocol checkedProtocol(
     std::string source,
     std::string text,
     std::optional<protocols::LoadedProtocol> loaded,

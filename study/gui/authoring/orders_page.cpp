@@ -80,7 +80,7 @@ DataTable balanceTable(
   return table;
 }
 
-int plannedOf(const protocols::Protocol& protocol) {
+int plannedParticipants(const protocols::Protocol& protocol) {
   int most = 0;
   for (const auto& cohort : protocol.cohorts) most = std::max(most, cohort.planned);
   return most > 0 ? std::min(most, kMostOrders) : 12;
@@ -134,7 +134,7 @@ void OrdersPage::show(const protocols::Protocol& protocol) {
   protocol_ = protocol;
   const QString drawn = tr("1 (the protocol has no seed)");
   seed_->setPlaceholderText(protocol.seed ? QString::number(*protocol.seed) : drawn);
-  if (isFirst) participants_->setValue(plannedOf(protocol));
+  if (isFirst) participants_->setValue(plannedParticipants(protocol));
   fill();
 }
 

@@ -73,7 +73,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
       sizes_(new QComboBox(this)),
       messageLabel_(quietLabel({}, this)),
       bar_(new QHBoxLayout),
-      place_(new QScrollArea(this)),
+      scroll_(new QScrollArea(this)),
       folder_(std::make_unique<QTemporaryDir>()) {
   setWindowTitle(
       tr("Preview as participant — %1").arg(QString::fromStdString(loaded.protocol.study.title)));
@@ -83,7 +83,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   makeBar(*layout);
   auto* sides = new QSplitter(Qt::Horizontal, this);
   sides->addWidget(steps_);
-  sides->addWidget(place_);
+  sides->addWidget(scroll_);
   sides->setStretchFactor(1, 1);
   sides->setSizes({360, 1000});
   layout->addWidget(sides, 1);
@@ -97,9 +97,9 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   steps_->setWordWrap(true);
   steps_->setResizeMode(QListView::Adjust);
-  place_->setAlignment(Qt::AlignCenter);
-  place_->setProperty("role", QStringLiteral("screen"));
-  place_->setAccessibleName(tr("Page of the participant"));
+  scroll_->setAlignment(Qt::AlignCenter);
+  scroll_->setProperty("role", QStringLiteral("screen"));
+  scroll_->setAccessibleName(tr("Page of the participant"));
   if (const auto left = blanksLeft(loaded_); left > 0) {
     blanks_ =
         QStringLiteral(" ") +
@@ -206,7 +206,7 @@ void PreviewWindow::goTo(int step) {
   const auto folder = folder_->filePath(QStringLiteral("study")).toStdString();
   if (previewSession_) {
     previewSession_->controller.disconnect(this);
-    place_->takeWidget();  // previewSession_ owns it
+    scroll_->takeWidget();  // previewSession_ owns it
   }
   previewSession_.reset();
   const auto id = sessionAt(folder, language(), step);
@@ -220,8 +220,8 @@ void PreviewWindow::goTo(int step) {
 
 void PreviewWindow::showSession() {
   auto* page = previewSession_->window.get();
-  place_->setWidget(page);
-  page->setParent(place_->viewport(), Qt::Widget);
+  scroll_->setWidget(page);
+  page->setParent(scroll_->viewport(), Qt::Widget);
   chooseSize();
   page->show();
   const auto* controller = &previewSession_->controller;
@@ -257,7 +257,7 @@ void PreviewWindow::chooseLanguage() {
 
 void PreviewWindow::chooseSize() {
   const auto size = sizes_->currentData().toSize();
-  place_->setWidgetResizable(size.isEmpty());
+  scroll_->setWidgetResizable(size.isEmpty());
   if (size.isEmpty()) {
     page().setMinimumSize(0, 0);
     page().setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);

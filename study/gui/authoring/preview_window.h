@@ -61,7 +61,7 @@ class PreviewWindow final : public QMainWindow {
   QString blanks_;  ///< says how many blanks the texts have; empty: none
   QLabel* messageLabel_;
   QBoxLayout* bar_;
-  QScrollArea* place_;
+  QScrollArea* scroll_;
   std::unique_ptr<QTemporaryDir> folder_;
   std::unique_ptr<PreviewSession> previewSession_;
 };

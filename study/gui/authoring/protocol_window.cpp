@@ -56,11 +56,11 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
       source_(source),
       title_(bodyLabel({}, this)),
       verdict_(bodyLabel({}, this)),
-      readAt_(quietLabel({}, this)),
-      preview_(new QPushButton(tr("Preview as participant…"), this)),
+      readAtLabel_(quietLabel({}, this)),
+      previewButton_(new QPushButton(tr("Preview as participant…"), this)),
       fillButton_(new QPushButton(tr("Fill in the texts…"), this)),
-      copy_(new QPushButton(tr("Save as…"), this)),
-      showSource_(new QPushButton(tr("Show source"), this)),
+      copyButton_(new QPushButton(tr("Save as…"), this)),
+      showSourceButton_(new QPushButton(tr("Show source"), this)),
       summary_(bodyLabel({}, this)),
       text_(new QPlainTextEdit(this)),
       aboutProblems_(quietLabel({}, this)),
@@ -100,37 +100,38 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
 QHBoxLayout* ProtocolWindow::makeHead() {
   title_->setProperty("role", QStringLiteral("heading"));
   verdict_->setObjectName(QStringLiteral("verdict"));
-  showSource_->setObjectName(QStringLiteral("show-source"));
-  showSource_->setProperty("role", QStringLiteral("tool"));
-  showSource_->setCheckable(true);
+  showSourceButton_->setObjectName(QStringLiteral("show-source"));
+  showSourceButton_->setProperty("role", QStringLiteral("tool"));
+  showSourceButton_->setCheckable(true);
   auto* titles = new QVBoxLayout;
   titles->addWidget(title_);
-  titles->addWidget(readAt_);
+  titles->addWidget(readAtLabel_);
   auto* head = new QHBoxLayout;
   head->addLayout(titles, 1);
-  head->addWidget(showSource_, 0, Qt::AlignTop);
+  head->addWidget(showSourceButton_, 0, Qt::AlignTop);
   return head;
 }
 
 QHBoxLayout* ProtocolWindow::makeButtons() {
-  preview_->setObjectName(QStringLiteral("preview"));
-  preview_->setProperty("role", QStringLiteral("main"));
+  previewButton_->setObjectName(QStringLiteral("preview"));
+  previewButton_->setProperty("role", QStringLiteral("main"));
   fillButton_->setObjectName(QStringLiteral("texts"));
-  copy_->setObjectName(QStringLiteral("save-as"));
-  copy_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
+  copyButton_->setObjectName(QStringLiteral("save-as"));
+  copyButton_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
   auto* buttons = new QHBoxLayout;
-  buttons->addWidget(copy_);
+  buttons->addWidget(copyButton_);
   buttons->addStretch(1);
   buttons->addWidget(fillButton_);
-  buttons->addWidget(preview_);
+  buttons->addWidget(previewButton_);
   return buttons;
 }
 
 void ProtocolWindow::connectAll() {
-  connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
-  connect(showSource_, &QPushButton::toggled, text_, &QWidget::setVisible);
+  connect(
+      previewButton_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
+  connect(showSourceButton_, &QPushButton::toggled, text_, &QWidget::setVisible);
   connect(fillButton_, &QPushButton::clicked, this, &ProtocolWindow::fillInTexts);
-  connect(copy_, &QPushButton::clicked, this, &ProtocolWindow::saveAs);
+  connect(copyButton_, &QPushButton::clicked, this, &ProtocolWindow::saveAs);
   connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QWidget::close);
   connect(&watch_, &FileWatch::changed, this, &ProtocolWindow::reload);
   connect(problems_, &QTableWidget::currentCellChanged, this, &ProtocolWindow::goToProblem);
@@ -211,7 +212,7 @@ void ProtocolWindow::reload() {
   checked_ = checkProtocol(source_.toStdString());
   watch_.watch(filesToWatch());
   const QString now = QTime::currentTime().toString(QStringLiteral("HH:mm:ss"));
-  readAt_->setText(
+  readAtLabel_->setText(
       filesToWatch().isEmpty()
           ? tr("%1 ships with the program").arg(source_)
           : tr("%1, read at %2; read again whenever it changes").arg(shownPath(source_), now));
@@ -230,9 +231,9 @@ void ProtocolWindow::reload() {
     timeline_->clear();
     orders_->clear();
   }
-  preview_->setEnabled(checked_.loaded.has_value());
+  previewButton_->setEnabled(checked_.loaded.has_value());
   fillButton_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
-  copy_->setVisible(isShipped());
+  copyButton_->setVisible(isShipped());
   emit reloaded();
 }
 
@@ -340,7 +341,7 @@ void ProtocolWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
   if (event->type() != QEvent::StyleChange) return;
   showProblems();
-  mark(marked_);
+  mark(markedLine_);
 }
 
 void ProtocolWindow::goToProblem(int row) {
@@ -349,7 +350,7 @@ void ProtocolWindow::goToProblem(int row) {
 }
 
 void ProtocolWindow::mark(int line) {
-  marked_ = line;
+  markedLine_ = line;
   const auto block = text_->document()->findBlockByNumber(line);
   if (line < 0 || !block.isValid()) {
     text_->setExtraSelections({});

@@ -28,7 +28,7 @@ class ProtocolWindow final : public QMainWindow {
 
   const CheckedProtocol& checked() const noexcept { return checked_; }
   /// The highlighted line, from 0; −1: none.
-  int markedLine() const noexcept { return marked_; }
+  int markedLine() const noexcept { return markedLine_; }
 
  public slots:
   /// Reads the file again.
@@ -68,11 +68,11 @@ class ProtocolWindow final : public QMainWindow {
   FileWatch watch_;
   QLabel* title_;
   QLabel* verdict_;
-  QLabel* readAt_;
-  QPushButton* preview_;
+  QLabel* readAtLabel_;
+  QPushButton* previewButton_;
   QPushButton* fillButton_;
-  QPushButton* copy_;  ///< of a shipped protocol
-  QPushButton* showSource_;
+  QPushButton* copyButton_;  ///< of a shipped protocol
+  QPushButton* showSourceButton_;
   QLabel* summary_;
   QPlainTextEdit* text_;  ///< hidden until it is asked for
   QLabel* aboutProblems_;
@@ -80,7 +80,7 @@ class ProtocolWindow final : public QMainWindow {
   QTabWidget* pages_;
   TimelinePage* timeline_;
   OrdersPage* orders_;
-  int marked_ = -1;
+  int markedLine_ = -1;
 };
 
 }  // namespace study::gui

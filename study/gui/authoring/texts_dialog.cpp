@@ -30,11 +30,11 @@ std::string estimatedMinutes(const protocols::LoadedProtocol& loaded) {
 
 TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason, QWidget* parent)
     : QDialog(parent),
-      before_(loaded.protocol.texts),
+      protocolTexts_(loaded.protocol.texts),
       languages_(new QComboBox(this)),
       reason_(new QLineEdit(this)),
       progress_(quietLabel({}, this)),
-      save_(new QPushButton(tr("Save"), this)) {
+      saveButton_(new QPushButton(tr("Save"), this)) {
   setWindowTitle(tr("Fill in the texts"));
   languages_->setAccessibleName(tr("Language of the texts"));
   languages_->setObjectName(QStringLiteral("language"));
@@ -61,9 +61,9 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
   scroll->setWidget(inside);
   scroll->setFocusPolicy(Qt::NoFocus);
   auto* buttons = new QDialogButtonBox(this);
-  save_->setProperty("role", QStringLiteral("main"));
-  save_->setObjectName(QStringLiteral("save"));
-  buttons->addButton(save_, QDialogButtonBox::AcceptRole);
+  saveButton_->setProperty("role", QStringLiteral("main"));
+  saveButton_->setObjectName(QStringLiteral("save"));
+  buttons->addButton(saveButton_, QDialogButtonBox::AcceptRole);
   buttons->addButton(QDialogButtonBox::Cancel);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(24, 20, 24, 20);
@@ -94,7 +94,7 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
 
 void TextsDialog::addFields(const protocols::LoadedProtocol& loaded, QFormLayout& form) {
   for (const auto& blank : protocols::blanksOf(loaded)) {
-    words_[blank.key] = blank.text.all();
+    typedTexts_[blank.key] = blank.text.all();
     auto* field = new QLineEdit(this);
     QString title = deskText(blank.title);
     field->setObjectName(QStringLiteral("text-") + QString::fromStdString(blank.key));
@@ -118,24 +118,24 @@ void TextsDialog::storeFields() {
   for (const auto& [key, field] : fields_) {
     const auto words = field->text().trimmed().toStdString();
     if (words.empty()) {
-      words_[key].erase(shown_);
+      typedTexts_[key].erase(shownLanguage_);
     } else {
-      words_[key][shown_] = words;
+      typedTexts_[key][shownLanguage_] = words;
     }
   }
 }
 
 void TextsDialog::showLanguage() {
   storeFields();
-  shown_ = languages_->currentData().toString().toStdString();
+  shownLanguage_ = languages_->currentData().toString().toStdString();
   for (const auto& [key, field] : fields_) {
-    const auto& words = words_[key];
+    const auto& words = typedTexts_[key];
     const auto text = [&](const std::string& language) {
       const auto found = words.find(language);
       return found == words.end() ? QString() : QString::fromStdString(found->second);
     };
-    field->setPlaceholderText(shown_ == "en" ? QString() : text("en"));
-    field->setText(text(shown_));
+    field->setPlaceholderText(shownLanguage_ == "en" ? QString() : text("en"));
+    field->setText(text(shownLanguage_));
   }
   showProgress();
 }
@@ -144,11 +144,11 @@ void TextsDialog::showProgress() {
   storeFields();
   int filled = 0;
   bool lacksEnglish = false;
-  for (const auto& [key, words] : words_) {
+  for (const auto& [key, words] : typedTexts_) {
     filled += words.empty() ? 0 : 1;
     lacksEnglish |= !words.empty() && words.count("en") == 0;
   }
-  const int all = static_cast<int>(words_.size());
+  const int all = static_cast<int>(typedTexts_.size());
   const bool hasReason = !reason_->isVisibleTo(this) || !reason().isEmpty();
   progress_->setText(
       lacksEnglish ? tr("A text that is given in another language is also needed in English.")
@@ -158,12 +158,12 @@ void TextsDialog::showProgress() {
                 .arg(all)
           : tr("All %1 are filled in.").arg(all));
   if (!hasReason) progress_->setText(progress_->text() + QLatin1Char(' ') + tr("Give a reason."));
-  save_->setEnabled(!lacksEnglish && hasReason);
+  saveButton_->setEnabled(!lacksEnglish && hasReason);
 }
 
 questionnaires::BlankTexts TextsDialog::texts() const {
-  auto texts = before_;
-  for (const auto& [key, words] : words_) {
+  auto texts = protocolTexts_;
+  for (const auto& [key, words] : typedTexts_) {
     if (words.empty()) {
       texts.erase(key);
     } else {

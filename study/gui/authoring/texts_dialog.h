@@ -41,14 +41,14 @@ class TextsDialog final : public QDialog {
   void storeFields();
   void showProgress();
 
-  questionnaires::BlankTexts before_;
-  std::map<std::string, QLineEdit*> fields_;                         ///< by key
-  std::map<std::string, std::map<std::string, std::string>> words_;  ///< by key and language
-  std::string shown_ = "en";                                         ///< the language of the fields
+  questionnaires::BlankTexts protocolTexts_;
+  std::map<std::string, QLineEdit*> fields_;                              ///< by key
+  std::map<std::string, std::map<std::string, std::string>> typedTexts_;  ///< by key and language
+  std::string shownLanguage_ = "en";  ///< the language of the fields
   QComboBox* languages_;
   QLineEdit* reason_;
   QLabel* progress_;
-  QPushButton* save_;
+  QPushButton* saveButton_;
 };
 
 }  // namespace study::gui

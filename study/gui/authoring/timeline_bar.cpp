@@ -66,9 +66,9 @@ void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
   for (const auto& part : parts_) {
     const QRectF box(begin * perSecond, 0.0, part.seconds() * perSecond, kBarHeight);
     painter.fillRect(box, colours.field.background);
-    for (const auto& [seconds, isFelt] : part.periods) {
+    for (const auto& [seconds, isOnDevice] : part.periods) {
       const QRectF below(begin * perSecond, kNameHeight, seconds * perSecond, kFilledHeight);
-      if (isFelt) painter.fillRect(below, colours.accent.background);
+      if (isOnDevice) painter.fillRect(below, colours.accent.background);
       begin += seconds;
     }
     painter.setPen(colours.border);

@@ -16,7 +16,7 @@ class TimelineBar final : public QWidget {
  public:
   struct Period {
     double seconds = 0.0;
-    bool isFelt = false;  ///< on the device
+    bool isOnDevice = false;  ///< on the device
   };
   struct Part {
     QString name;

@@ -19,7 +19,7 @@ QString asMinutes(double seconds) {
 }
 
 /// Describes a step without its condition, which depends on the participant's order.
-QString describedStep(const Step& step, const PartOfSession& part) {
+QString describeStep(const Step& step, const PartOfSession& part) {
   QString words = deskText(nameOf(step.kind));
   if (step.label > 0) words += TimelinePage::tr(", position %1").arg(step.position);
   if (part.items > 0) words += TimelinePage::tr(", %1 items").arg(part.items);
@@ -86,11 +86,11 @@ void TimelinePage::show(const protocols::LoadedProtocol& loaded) {
     for (const auto& step : steps) {
       if (step.phase != phase.id) continue;
       const auto part = partOf(loaded, step);
-      const auto words = describedStep(step, part);
+      const auto words = describeStep(step, part);
       new QTreeWidgetItem(top, {QString::number(++count), words, asMinutes(part.seconds)});
       if (step.isOptionalTrial) continue;  // few participants accept the offer
       whole.periods.push_back({.seconds = part.seconds - part.secondsOnDevice});
-      whole.periods.push_back({.seconds = part.secondsOnDevice, .isFelt = true});
+      whole.periods.push_back({.seconds = part.secondsOnDevice, .isOnDevice = true});
     }
     top->setText(1, count == 1 ? top->child(0)->text(1) : tr("%1 steps").arg(count));
     top->setText(2, asMinutes(whole.seconds()));

@@ -36,7 +36,7 @@ QWidget* beside(std::initializer_list<QWidget*> parts, QWidget* parent) {
 }
 
 template <typename Units>
-int placeOf(const Units& units, const std::string& name) {
+int unitIndexOf(const Units& units, const std::string& name) {
   const auto found = std::ranges::find_if(units, [&](const auto& unit) {
     if constexpr (requires { unit.name; }) {
       return name == unit.name;
@@ -54,8 +54,8 @@ ColumnsForm::ColumnsForm(QWidget* parent)
       time_(new QComboBox(this)),
       timeUnit_(new QComboBox(this)),
       travel_(new QComboBox(this)),
-      open_(new QDoubleSpinBox(this)),
-      closed_(new QDoubleSpinBox(this)),
+      openTravel_(new QDoubleSpinBox(this)),
+      closedTravel_(new QDoubleSpinBox(this)),
       force_(new QComboBox(this)),
       forceUnit_(new QComboBox(this)) {
   time_->setObjectName(QStringLiteral("time"));
@@ -64,13 +64,13 @@ ColumnsForm::ColumnsForm(QWidget* parent)
   time_->setAccessibleName(tr("Column of the time"));
   timeUnit_->setAccessibleName(tr("Unit of the time"));
   travel_->setAccessibleName(tr("Column of the travel"));
-  open_->setAccessibleName(tr("Travel where the tool is open"));
-  closed_->setAccessibleName(tr("Travel where the tool is closed"));
+  openTravel_->setAccessibleName(tr("Travel where the tool is open"));
+  closedTravel_->setAccessibleName(tr("Travel where the tool is closed"));
   force_->setAccessibleName(tr("Column of the force"));
   forceUnit_->setAccessibleName(tr("Unit of the force"));
   for (const auto& unit : kTimeUnits) timeUnit_->addItem(QString::fromUtf8(unit.name));
   for (const auto* unit : kForceUnits) forceUnit_->addItem(QString::fromUtf8(unit));
-  for (auto* end : {open_, closed_}) {
+  for (auto* end : {openTravel_, closedTravel_}) {
     end->setRange(-kLargestCell, kLargestCell);
     end->setDecimals(3);
     connect(end, &QDoubleSpinBox::valueChanged, this, &ColumnsForm::changed);
@@ -84,7 +84,11 @@ ColumnsForm::ColumnsForm(QWidget* parent)
   form->addRow(
       tr("Travel"),
       beside(
-          {travel_, bodyLabel(tr("open"), this), open_, bodyLabel(tr("closed"), this), closed_},
+          {travel_,
+           bodyLabel(tr("open"), this),
+           openTravel_,
+           bodyLabel(tr("closed"), this),
+           closedTravel_},
           this));
   form->addRow(tr("Force"), beside({force_, forceUnit_}, this));
   setLayout(form);
@@ -94,7 +98,7 @@ ColumnsForm::ColumnsForm(QWidget* parent)
   }
 }
 
-bool ColumnsForm::offer(const std::string& file) {
+bool ColumnsForm::offerColumnsOf(const std::string& file) {
   std::string text;
   try {
     text = haptics::recordings::contentOfRecording(file);
@@ -122,11 +126,11 @@ bool ColumnsForm::offer(const std::string& file) {
   std::size_t force = heads.size() - 1;
   for (std::size_t i = 0; i < heads.size(); ++i) {
     const auto unit = base::columnHeadingOf(heads[i]).unit;
-    if (const int place = placeOf(kTimeUnits, unit); place >= 0) {
+    if (const int place = unitIndexOf(kTimeUnits, unit); place >= 0) {
       time = i;
       timeUnit_->setCurrentIndex(place);
     }
-    if (const int place = placeOf(kForceUnits, unit); place >= 0) {
+    if (const int place = unitIndexOf(kForceUnits, unit); place >= 0) {
       force = i;
       forceUnit_->setCurrentIndex(place);
     }
@@ -152,10 +156,10 @@ void ColumnsForm::measureTravel() {
     if (!first) farthest = *(first = value);
     if (std::abs(*value - *first) > std::abs(farthest - *first)) farthest = *value;
   }
-  const QSignalBlocker open(open_);
-  const QSignalBlocker closed(closed_);
-  open_->setValue(first.value_or(0.0));
-  closed_->setValue(farthest);
+  const QSignalBlocker open(openTravel_);
+  const QSignalBlocker closed(closedTravel_);
+  openTravel_->setValue(first.value_or(0.0));
+  closedTravel_->setValue(farthest);
 }
 
 haptics::recordings::RecordingColumns ColumnsForm::columns() const {
@@ -170,8 +174,8 @@ haptics::recordings::RecordingColumns ColumnsForm::columns() const {
       .millisecondsPerTime =
           kTimeUnits[static_cast<std::size_t>(timeUnit_->currentIndex())].milliseconds,
       .travel = chosen(*travel_),
-      .open = open_->value(),
-      .closed = closed_->value(),
+      .open = openTravel_->value(),
+      .closed = closedTravel_->value(),
       .force = chosen(*force_),
       .forceFactor = haptics::recordings::newtonsIn(unit),
       .skippedLines = headingLine_,

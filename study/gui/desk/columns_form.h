@@ -21,14 +21,14 @@ class ColumnsForm final : public QWidget {
 
   /// Offers the columns of the table in @p file, chosen by their headings where these have units.
   /// @return whether it is a table of at least three columns
-  bool offer(const std::string& file);
+  bool offerColumnsOf(const std::string& file);
   haptics::recordings::RecordingColumns columns() const;
 
  signals:
   void changed();
 
  private:
-  /// Takes the ends of the travel from its column.
+  /// Sets the open and the closed travel to the ends of the chosen travel column.
   void measureTravel();
 
   std::vector<std::vector<std::string>> rows_;  ///< cells; the first row may be the headings
@@ -37,8 +37,8 @@ class ColumnsForm final : public QWidget {
   QComboBox* time_;
   QComboBox* timeUnit_;
   QComboBox* travel_;
-  QDoubleSpinBox* open_;
-  QDoubleSpinBox* closed_;
+  QDoubleSpinBox* openTravel_;
+  QDoubleSpinBox* closedTravel_;
   QComboBox* force_;
   QComboBox* forceUnit_;
 };

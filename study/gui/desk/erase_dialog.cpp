@@ -33,7 +33,7 @@ std::map<std::string, std::string> namesByCode(Study& study) {
   return people;
 }
 
-std::string fileOf(
+std::string certificateContent(
     const report::ErasureCertificate& certificate, const words::Words& words, const QString& path) {
   const auto ending = QFileInfo(path).suffix();
   if (ending == QLatin1String("txt")) return asText(certificate, words);
@@ -52,7 +52,7 @@ report::ErasureCertificate erase(
     certificate.copies.push_back(eraseFromCopy(
         copy, certificate.report.listed, certificate.report.texts, clock, knownCopies(study)));
   }
-  certificate.left = copiesLeft(study, certificate.copies, request.participant);
+  certificate.notErasedFrom = copiesNotErased(study, certificate.copies, request.participant);
   return certificate;
 }
 
@@ -171,7 +171,8 @@ void EraseDialog::work() {
       [&](const Progress&) {
         certificate = erase(folder_, request, copy);
         try {
-          if (!path.isEmpty()) writeNewFile(path.toStdString(), fileOf(certificate, words, path));
+          if (!path.isEmpty())
+            writeNewFile(path.toStdString(), certificateContent(certificate, words, path));
         } catch (const std::exception& error) {
           whyNotSaved = error.what();
         }

@@ -14,7 +14,7 @@ namespace {
 
 enum class Audience { Blinded, Unblinded, Public };
 
-constexpr int kMostAlike = 1000;
+constexpr int kLargestGroupLimit = 1000;
 
 Audience audienceOf(const QComboBox& choice) {
   return static_cast<Audience>(choice.currentData().toInt());
@@ -103,7 +103,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   audience_->setObjectName(QStringLiteral("audience"));
   smallestGroup_->setAccessibleName(tr("Smallest group of people"));
   smallestGroup_->setObjectName(QStringLiteral("smallest-class"));
-  smallestGroup_->setRange(static_cast<int>(kSmallestPublicClass), kMostAlike);
+  smallestGroup_->setRange(static_cast<int>(kSmallestPublicClassSize), kLargestGroupLimit);
   exactDates_->setObjectName(QStringLiteral("exact"));
   writtenTexts_->setObjectName(QStringLiteral("texts"));
   reason_->setAccessibleName(tr("Reason for unblinding"));
@@ -121,7 +121,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(QString(), traces_);
   form().addRow(tr("To a new folder"), target_);
   form().addRow(tr("Earlier export"), earlierExport_);
-  aboutEarlier_ = addHint(tr("Conditions get the same codes as there."));
+  aboutEarlierExport_ = addHint(tr("Conditions get the same codes as there."));
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(smallestGroup_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
@@ -142,7 +142,7 @@ ExportOptions ExportDialog::options() const {
       .isExact = audience != Audience::Public && exactDates_->isChecked(),
       .hasTexts = audience != Audience::Public && writtenTexts_->isChecked()};
   if (audience == Audience::Public) {
-    options.publicClass = static_cast<std::size_t>(smallestGroup_->value());
+    options.publicClassSize = static_cast<std::size_t>(smallestGroup_->value());
   }
   return options;
 }
@@ -156,7 +156,7 @@ void ExportDialog::updateChoices() {
   form().setRowVisible(traces_, audience == Audience::Unblinded);
   const bool hasCodes = audience != Audience::Public && chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(earlierExport_, hasCodes);
-  form().setRowVisible(aboutEarlier_, hasCodes);
+  form().setRowVisible(aboutEarlierExport_, hasCodes);
   clear();
   showIdentifiability();
   updateButton();
@@ -165,19 +165,19 @@ void ExportDialog::updateChoices() {
 void ExportDialog::updateButton() {
   const bool needsReason = audienceOf(*audience_) == Audience::Unblinded;
   setDisabledReason(
-      !hasSessions(*mode_)                                 ? noSessions()
-      : !isPossible_                                       ? tr("These data cannot be exported.")
+      !hasSessions(*mode_)                                 ? noSessionsText()
+      : !isExportPossible_                                 ? tr("These data cannot be exported.")
       : needsReason && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
       : target_->path().isEmpty()                          ? tr("Choose a new folder.")
                                                            : QString());
 }
 
 void ExportDialog::showIdentifiability() {
-  isPossible_ = true;
+  isExportPossible_ = true;
   try {
     auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
     const auto how = options();
-    if (how.publicClass) {
+    if (how.publicClassSize) {
       showDetails({{QString::fromStdString(study::describe(publicRelease(study, how))).trimmed()}});
     } else if (how.runMode == RunMode::Simulated) {
       showDetails({{tr("Nothing in this folder names a person."), Mark::Good}});
@@ -188,7 +188,7 @@ void ExportDialog::showIdentifiability() {
     }
   } catch (const std::exception& error) {
     showOutcome(Outcome::Bad, QString::fromUtf8(error.what()));
-    isPossible_ = false;
+    isExportPossible_ = false;
   }
 }
 
@@ -205,7 +205,7 @@ void ExportDialog::work() {
     auto study = openForExport(folder_, how);
     how.progress = progress;
     written = exportStudy(study, target, how, reason);
-    what = how.publicClass ? "for the public" : blindingInWords(study, how);
+    what = how.publicClassSize ? "for the public" : blindingInWords(study, how);
   };
   const bool isDone =
       BackgroundTask::run(this, tr("Exporting"), MessageTopic::DataNotExported, write);

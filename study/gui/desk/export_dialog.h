@@ -33,7 +33,7 @@ class ExportDialog final : public WorkDialog {
   void showIdentifiability();
 
   std::string folder_;
-  bool isPossible_ = true;  ///< whether what is chosen can be exported
+  bool isExportPossible_ = true;  ///< whether what is chosen can be exported
   QComboBox* format_;
   QComboBox* mode_;
   QComboBox* audience_;
@@ -44,7 +44,7 @@ class ExportDialog final : public WorkDialog {
   QCheckBox* traces_;
   PathField* target_;
   PathField* earlierExport_;  ///< an earlier export whose codes the new one reuses
-  QLabel* aboutEarlier_ = nullptr;
+  QLabel* aboutEarlierExport_ = nullptr;
 };
 
 }  // namespace study::gui

@@ -235,16 +235,16 @@ void installHelpKey(QApplication& application) {
 
 HelpWindow::HelpWindow(QWidget* parent)
     : QMainWindow(parent),
-      wanted_(new QLineEdit(this)),
-      found_(quietLabel({}, this)),
+      searchField_(new QLineEdit(this)),
+      searchResult_(quietLabel({}, this)),
       contents_(new QListWidget(this)),
       text_(new Text(this)) {
   setWindowTitle(tr("Help — Palpate"));
-  wanted_->setPlaceholderText(tr("Search this page"));
-  wanted_->setAccessibleName(tr("Search this page"));
-  wanted_->setObjectName(QStringLiteral("search"));
-  wanted_->setClearButtonEnabled(true);
-  found_->setVisible(false);
+  searchField_->setPlaceholderText(tr("Search this page"));
+  searchField_->setAccessibleName(tr("Search this page"));
+  searchField_->setObjectName(QStringLiteral("search"));
+  searchField_->setClearButtonEnabled(true);
+  searchResult_->setVisible(false);
   contents_->setAccessibleName(tr("Contents"));
   contents_->setWordWrap(true);
   contents_->setIconSize({14, 1});
@@ -259,8 +259,8 @@ HelpWindow::HelpWindow(QWidget* parent)
   auto* left = new QWidget(this);
   auto* lines = new QVBoxLayout(left);
   lines->setContentsMargins(12, 12, 12, 12);
-  lines->addWidget(wanted_);
-  lines->addWidget(found_);
+  lines->addWidget(searchField_);
+  lines->addWidget(searchResult_);
   lines->addWidget(contents_, 1);
   sides->addWidget(left);
   sides->addWidget(text_);
@@ -268,8 +268,8 @@ HelpWindow::HelpWindow(QWidget* parent)
   sides->setStretchFactor(1, 1);
   setCentralWidget(sides);
   resize(1100, 760);
-  connect(wanted_, &QLineEdit::returnPressed, this, &HelpWindow::search);
-  connect(wanted_, &QLineEdit::textEdited, this, [this] {
+  connect(searchField_, &QLineEdit::returnPressed, this, &HelpWindow::search);
+  connect(searchField_, &QLineEdit::textEdited, this, [this] {
     text_->moveCursor(QTextCursor::Start);
     search();
   });
@@ -304,14 +304,14 @@ void HelpWindow::listHeadings() {
 
 /// Goes to the next place of the wanted words; after the last one, to the first.
 void HelpWindow::search() {
-  const QString words = wanted_->text().trimmed();
+  const QString words = searchField_->text().trimmed();
   bool isFound = words.isEmpty() || text_->find(words);
   if (!isFound) {
     text_->moveCursor(QTextCursor::Start);
     isFound = text_->find(words);
   }
-  found_->setText(tr("Not on this page."));
-  found_->setVisible(!isFound);
+  searchResult_->setText(tr("Not on this page."));
+  searchResult_->setVisible(!isFound);
 }
 
 bool HelpWindow::eventFilter(QObject* watched, QEvent* event) {

@@ -46,8 +46,8 @@ class HelpWindow final : public QMainWindow {
   void goTo(int block);
   void search();
 
-  QLineEdit* wanted_;  ///< words to look for in the text
-  QLabel* found_;      ///< says so if they are not there
+  QLineEdit* searchField_;  ///< words to look for in the text
+  QLabel* searchResult_;    ///< says so if they are not there
   QListWidget* contents_;
   class Text;
   Text* text_;

@@ -20,7 +20,7 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
       target_(new PathField(PathField::Kind::NewFile, tr("Key"), tr("Keys (*.txt)"), this)),
       source_(new PathField(PathField::Kind::ExistingFile, tr("Key"), tr("Keys (*.txt)"), this)),
       passphrase_(new QLineEdit(this)),
-      again_(new QLineEdit(this)) {
+      passphraseAgain_(new QLineEdit(this)) {
   task_->setObjectName(QStringLiteral("wanted"));
   task_->setAccessibleName(tr("What to do"));
   task_->addItem(tr("Save a copy of the key"), static_cast<int>(KeyTask::Save));
@@ -28,11 +28,11 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   task_->addItem(tr("Put names behind a passphrase"), static_cast<int>(KeyTask::SealNames));
   passphrase_->setObjectName(QStringLiteral("passphrase"));
   passphrase_->setAccessibleName(tr("Passphrase"));
-  again_->setObjectName(QStringLiteral("again"));
-  again_->setAccessibleName(tr("The same again"));
+  passphraseAgain_->setObjectName(QStringLiteral("again"));
+  passphraseAgain_->setAccessibleName(tr("The same again"));
   passphrase_->setPlaceholderText(
       tr("write it down: without it the names can never be read again"));
-  for (auto* field : {passphrase_, again_}) {
+  for (auto* field : {passphrase_, passphraseAgain_}) {
     field->setEchoMode(QLineEdit::Password);
     connect(field, &QLineEdit::textChanged, this, &KeyDialog::updateChoices);
   }
@@ -44,7 +44,7 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("New file"), target_);
   form().addRow(tr("File of the key"), source_);
   form().addRow(tr("Passphrase"), passphrase_);
-  form().addRow(tr("The same again"), again_);
+  form().addRow(tr("The same again"), passphraseAgain_);
   connect(task_, &QComboBox::currentIndexChanged, this, &KeyDialog::updateChoices);
   connect(reason_, &QLineEdit::textChanged, this, &KeyDialog::updateChoices);
   connect(source_, &PathField::pathChanged, this, &KeyDialog::updateChoices);
@@ -80,10 +80,11 @@ void KeyDialog::updateChoices() {
   form().setRowVisible(target_, saves);
   form().setRowVisible(source_, takes);
   form().setRowVisible(passphrase_, seals);
-  form().setRowVisible(again_, seals);
+  form().setRowVisible(passphraseAgain_, seals);
   runButton().setText(saves ? tr("Save") : takes ? tr("Import") : tr("Set"));
   const bool isReasoned = !reason_->text().trimmed().isEmpty();
-  const bool isTypedTwice = !passphrase_->text().isEmpty() && passphrase_->text() == again_->text();
+  const bool isTypedTwice =
+      !passphrase_->text().isEmpty() && passphrase_->text() == passphraseAgain_->text();
   setDisabledReason(
       takes                   ? (source_->path().isEmpty() ? tr("Choose the file.") : QString())
       : !isReasoned           ? tr("Give a reason.")
@@ -124,7 +125,7 @@ void KeyDialog::sealNames() {
   });
   if (!isSealed) return clear();
   passphrase_->clear();
-  again_->clear();
+  passphraseAgain_->clear();
   showState();
   showOutcome(
       Outcome::Good,

@@ -39,7 +39,7 @@ class KeyDialog final : public WorkDialog {
   PathField* target_;
   PathField* source_;
   QLineEdit* passphrase_;
-  QLineEdit* again_;
+  QLineEdit* passphraseAgain_;
 };
 
 }  // namespace study::gui

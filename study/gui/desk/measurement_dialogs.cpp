@@ -53,12 +53,12 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
           PathField::Kind::ExistingFile, tr("Recording"), tr("Recordings (*)"), this)),
       columns_(new PathField(
           PathField::Kind::ExistingFile, tr("Columns file"), tr("Columns files (*.json)"), this)),
-      form_(new ColumnsForm(this)),
+      columnsForm_(new ColumnsForm(this)),
       cut_(new QSpinBox(this)),
       slope_(new QDoubleSpinBox(this)),
       target_(new PathField(PathField::Kind::NewFile, tr("New file"), tr("Cuts (*.json)"), this)),
-      picture_(new RecordingPlot(this)),
-      cutPicture_(new CutPlot(this)) {
+      recordingPlot_(new RecordingPlot(this)),
+      cutPlot_(new CutPlot(this)) {
   constexpr double kMostSlope = 1e6;  // [N/travel unit]
   const double usualSlope = haptics::recordings::ImportOptions{}.maxSlope;
   slope_->setRange(0.01, kMostSlope);
@@ -76,8 +76,8 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   form().addRow(tr("Recording"), recording_);
   columns_->setHint(tr("optional"));
   form().addRow(tr("Columns file"), columns_);
-  form().addRow(form_);
-  form_->setVisible(false);
+  form().addRow(columnsForm_);
+  columnsForm_->setVisible(false);
   form().addRow(tr("Which cut"), cut_);
   form().addRow(tr("Largest slope"), slope_);
   form().addRow(quietLabel(
@@ -86,20 +86,20 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
           .arg(usualSlope),
       this));
   form().addRow(tr("To a new file"), target_);
-  form().addRow(cutPicture_->summary());
+  form().addRow(cutPlot_->summary());
   auto* pictures = new QBoxLayout(QBoxLayout::LeftToRight);
-  constexpr int kOfRecording = 6;  // it has two curves
+  constexpr int kRecordingStretch = 6;  // it has two curves
   constexpr int kOfCut = 5;
-  pictures->addWidget(picture_, kOfRecording);
-  pictures->addWidget(cutPicture_, kOfCut);
+  pictures->addWidget(recordingPlot_, kRecordingStretch);
+  pictures->addWidget(cutPlot_, kOfCut);
   addBeside(pictures);
   const auto readAgain = [this] {
-    form_->setVisible(false);
+    columnsForm_->setVisible(false);
     showRecording();
   };
   connect(recording_, &PathField::pathChanged, this, readAgain);
   connect(columns_, &PathField::pathChanged, this, readAgain);
-  connect(form_, &ColumnsForm::changed, this, &ImportCutDialog::showRecording);
+  connect(columnsForm_, &ColumnsForm::changed, this, &ImportCutDialog::showRecording);
   connect(cut_, &QSpinBox::valueChanged, this, &ImportCutDialog::preview);
   connect(slope_, &QDoubleSpinBox::valueChanged, this, &ImportCutDialog::preview);
   connect(target_, &PathField::pathChanged, this, &ImportCutDialog::updateButton);
@@ -108,7 +108,7 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
 
 std::optional<haptics::recordings::RecordingColumns> ImportCutDialog::columns() const {
   if (!columns_->path().isEmpty()) return columnsIn(columns_->path().toStdString());
-  return form_->isVisibleTo(this) ? std::optional(form_->columns()) : std::nullopt;
+  return columnsForm_->isVisibleTo(this) ? std::optional(columnsForm_->columns()) : std::nullopt;
 }
 
 std::optional<RecordingPreview> ImportCutDialog::readPreview() {
@@ -116,9 +116,9 @@ std::optional<RecordingPreview> ImportCutDialog::readPreview() {
   try {
     return previewOf(file, columns());
   } catch (const std::exception& error) {
-    const bool mayAsk = columns_->path().isEmpty() && form_->isHidden();
-    if (mayAsk && form_->offer(file)) {
-      form_->setVisible(true);
+    const bool mayAsk = columns_->path().isEmpty() && columnsForm_->isHidden();
+    if (mayAsk && columnsForm_->offerColumnsOf(file)) {
+      columnsForm_->setVisible(true);
       return readPreview();
     }
     showOutcome(Outcome::Bad, tr("This recording cannot be read"), QString::fromUtf8(error.what()));
@@ -131,9 +131,9 @@ void ImportCutDialog::showRecording() {
   const auto isFile = [](const QString& path) { return QFileInfo(path).isFile(); };
   const QString columns = columns_->path();
   const bool isThere = isFile(recording_->path()) && (columns.isEmpty() || isFile(columns));
-  picture_->show(isThere ? readPreview() : std::nullopt);
+  recordingPlot_->show(isThere ? readPreview() : std::nullopt);
   constexpr int kMostCuts = 10'000;
-  cut_->setRange(0, picture_->cuts() > 0 ? picture_->cuts() : kMostCuts);
+  cut_->setRange(0, recordingPlot_->cuts() > 0 ? recordingPlot_->cuts() : kMostCuts);
   preview();
 }
 
@@ -144,8 +144,8 @@ haptics::recordings::ImportOptions ImportCutDialog::options() const {
 }
 
 void ImportCutDialog::preview() {
-  const auto& shown = picture_->preview();
-  isPossible_ = shown.has_value();
+  const auto& shown = recordingPlot_->preview();
+  isImportPossible_ = shown.has_value();
   int taken = cut_->value();
   if (shown) {
     clear();                                // what was said about another cut
@@ -154,19 +154,19 @@ void ImportCutDialog::preview() {
         std::max(width(), std::min(kRoomForPictures, screen()->availableSize().width())), height());
     try {
       const auto imported = importRecording(shown->recording, options());
-      cutPicture_->show(shown->trace, imported);
+      cutPlot_->show(shown->trace, imported);
       const auto& closures = imported.report.closures;
       if (!closures.empty()) taken = static_cast<int>(closures.front());
     } catch (const UserError& error) {
-      isPossible_ = false;
+      isImportPossible_ = false;
       showOutcome(
           Outcome::Warning,
           tr("No cut can be taken from this recording yet"),
           QString::fromUtf8(error.what()));
     }
   }
-  cutPicture_->setShown(isPossible_);
-  picture_->choose(taken);
+  cutPlot_->setShown(isImportPossible_);
+  recordingPlot_->choose(taken);
   updateButton();
   fit();
 }
@@ -174,7 +174,7 @@ void ImportCutDialog::preview() {
 void ImportCutDialog::updateButton() {
   setDisabledReason(
       recording_->path().isEmpty() ? tr("Choose a recording.")
-      : !isPossible_               ? tr("No cut can be taken from this recording.")
+      : !isImportPossible_         ? tr("No cut can be taken from this recording.")
       : target_->path().isEmpty()  ? tr("Choose a new file.")
                                    : QString());
 }

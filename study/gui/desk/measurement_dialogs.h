@@ -30,20 +30,20 @@ class ImportCutDialog final : public WorkDialog {
   void showRecording();
   std::optional<RecordingPreview> readPreview();
   std::optional<haptics::recordings::RecordingColumns> columns() const;
-  /// Shows the cut that an import would make of it.
+  /// Shows the cut that an import would make of the chosen recording.
   void preview();
   haptics::recordings::ImportOptions options() const;
   void updateButton();
 
   PathField* recording_;
   PathField* columns_;
-  ColumnsForm* form_;
+  ColumnsForm* columnsForm_;
   QSpinBox* cut_;
   QDoubleSpinBox* slope_;
   PathField* target_;
-  RecordingPlot* picture_;
-  CutPlot* cutPicture_;
-  bool isPossible_ = false;  ///< a cut can be taken
+  RecordingPlot* recordingPlot_;
+  CutPlot* cutPlot_;
+  bool isImportPossible_ = false;  ///< a cut can be taken
 };
 
 /// Fits a reaming material to a folder of measured series.

@@ -65,7 +65,7 @@ std::vector<fs::path> seriesIn(const std::string& folder) {
 /// does not allow exceptions.
 bool onProgress(const Progress& progress, const reaming::PackingProgress& now, std::size_t wanted) {
   try {
-    tell(
+    announceProgress(
         progress,
         static_cast<double>(now.spheres) / static_cast<double>(wanted),
         fmt::format(
@@ -103,11 +103,11 @@ haptics::recordings::ImportReport importCutTo(
     const std::string& out,
     const Progress& progress) {
   requireNewFileEndingIn(out, ".json");
-  tell(progress, 0.0, "reading the recording");
+  announceProgress(progress, 0.0, "reading the recording");
   const auto read = readRecordingWithColumns(recording, columns);
-  tell(progress, 0.5, "taking the cut");
+  announceProgress(progress, 0.5, "taking the cut");
   auto imported = importRecording(read, options);
-  tell(progress, 0.9, "writing it");
+  announceProgress(progress, 0.9, "writing it");
   writeNewFile(out, cutAsJsonWithSource(recording, imported.cut));
   return std::move(imported.report);
 }
@@ -125,7 +125,7 @@ FittedMaterial fitMaterialTo(
   for (const auto& file : files) {
     const auto name = file.filename().string();
     const double share = static_cast<double>(all.size()) / static_cast<double>(files.size());
-    tell(progress, kShareOfReading * share, "reading " + name);
+    announceProgress(progress, kShareOfReading * share, "reading " + name);
     const auto test = testOf(name);
     if (!test) {
       throw UserError(
@@ -137,11 +137,11 @@ FittedMaterial fitMaterialTo(
   }
   const bool isSynthetic =
       std::any_of(all.begin(), all.end(), [](const auto& series) { return series.isSynthetic; });
-  tell(progress, kUnknownShare, "filtering, and fitting the curves");
+  announceProgress(progress, kUnknownShare, "filtering, and fitting the curves");
   const reaming::FitOptions options;
   const auto fit = reaming::fitMaterial(all, options);
   if (fit.sets.empty()) throw UserError("Every series was left out; there is nothing to fit.");
-  tell(progress, 1.0, "writing it");
+  announceProgress(progress, 1.0, "writing it");
   const auto name = fs::path(out).stem().string();
   writeNewFile(out, protocols::materialAsJson(name, title, isSynthetic, fit, options, sources));
   return resultOf(fit, isSynthetic);
@@ -163,7 +163,7 @@ BuiltBone buildBoneTo(
   } catch (const std::invalid_argument& wrong) {
     throw UserError(std::string("The spheres cannot be placed: ") + wrong.what() + ".");
   }
-  tell(progress, 1.0, "writing it");
+  announceProgress(progress, 1.0, "writing it");
   writeNewFile(
       out, protocols::packingAsText(bone, {.mesh = "parametric acetabulum", .seed = seed}));
   return {

@@ -28,8 +28,8 @@ haptics::recordings::ImportReport importCutTo(
 /// How well the curves of one test describe its series.
 struct FittedTest {
   std::string name;
-  int series = 0;      ///< that were used
-  double depth = 0.0;  ///< [m] to which they go
+  int series = 0;      ///< number of series that were used
+  double depth = 0.0;  ///< depth to which the curves go [m]
   // The largest error of each curve, as a share of the force there, or of 10 N if that is more.
   double minimum = 0.0;
   double average = 0.0;
@@ -37,7 +37,7 @@ struct FittedTest {
 };
 struct FittedMaterial {
   std::vector<FittedTest> tests;
-  std::vector<std::string> leftOut;  ///< series, each with why
+  std::vector<std::string> leftOut;  ///< series that were left out, each with the reason
   bool isSynthetic = false;          ///< nobody measured them
 };
 /// @param folder  CSV or TSV files, one per series. Each file name contains its test: static,

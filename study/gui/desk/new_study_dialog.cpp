@@ -31,9 +31,9 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
       advanced_(new QCheckBox(tr("More options"), this)),
       seed_(new QLineEdit(this)),
       checkProtocolButton_(new QPushButton(tr("Check protocol…"), this)),
-      preview_(new QPushButton(tr("Preview…"), this)),
+      previewButton_(new QPushButton(tr("Preview…"), this)),
       fillButton_(new QPushButton(tr("Fill in the texts…"), this)),
-      copy_(new QPushButton(tr("Save as…"), this)) {
+      copyButton_(new QPushButton(tr("Save as…"), this)) {
   protocol_->setAccessibleName(tr("Protocol"));
   protocol_->setObjectName(QStringLiteral("protocol"));
   for (const auto& name : protocols::libraryProtocols()) {
@@ -50,14 +50,14 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
       new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{0,15}")), seed_));
   file_->startIn(protocolFolder());
   fillButton_->setObjectName(QStringLiteral("texts"));
-  copy_->setObjectName(QStringLiteral("save-as"));
-  copy_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
-  preview_->setObjectName(QStringLiteral("preview"));
+  copyButton_->setObjectName(QStringLiteral("save-as"));
+  copyButton_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
+  previewButton_->setObjectName(QStringLiteral("preview"));
   auto* actions = new QWidget(this);
   auto* looks = new QHBoxLayout(actions);
   looks->setContentsMargins(0, 0, 0, 0);
   looks->setSpacing(8);
-  for (auto* button : {checkProtocolButton_, preview_, fillButton_, copy_}) {
+  for (auto* button : {checkProtocolButton_, previewButton_, fillButton_, copyButton_}) {
     button->setAutoDefault(false);
     button->setProperty("role", QStringLiteral("tool"));
     looks->addWidget(button);
@@ -85,9 +85,10 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   connect(checkProtocolButton_, &QPushButton::clicked, this, [this] {
     emit protocolRequested(source());
   });
-  connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
+  connect(
+      previewButton_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
   connect(fillButton_, &QPushButton::clicked, this, &NewStudyDialog::fillInTexts);
-  connect(copy_, &QPushButton::clicked, this, &NewStudyDialog::saveAs);
+  connect(copyButton_, &QPushButton::clicked, this, &NewStudyDialog::saveAs);
   check();
 }
 
@@ -104,7 +105,7 @@ void NewStudyDialog::setProtocolFile(const QString& file) {
 void NewStudyDialog::check() {
   const bool isOwn = protocol_->currentData().toString().isEmpty();
   form().setRowVisible(file_, isOwn);
-  copy_->setVisible(!isOwn);
+  copyButton_->setVisible(!isOwn);
   fit();
   watch_.watch(isOwn && !file_->path().isEmpty() ? QStringList{file_->path()} : QStringList());
   checked_ = {};
@@ -131,7 +132,7 @@ void NewStudyDialog::saveAs() {
 }
 
 void NewStudyDialog::showChecked() {
-  preview_->setEnabled(checked_.loaded.has_value());
+  previewButton_->setEnabled(checked_.loaded.has_value());
   fillButton_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
   updateButton();
   if (source().isEmpty()) return clear();

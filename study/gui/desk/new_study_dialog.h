@@ -49,9 +49,9 @@ class NewStudyDialog final : public WorkDialog {
   QCheckBox* advanced_;
   QLineEdit* seed_;
   QPushButton* checkProtocolButton_;
-  QPushButton* preview_;
+  QPushButton* previewButton_;
   QPushButton* fillButton_;
-  QPushButton* copy_;  ///< of a shipped protocol
+  QPushButton* copyButton_;  ///< of a shipped protocol
 };
 
 }  // namespace study::gui

@@ -31,7 +31,7 @@ int heightOfPlotOn(const QScreen& screen) {
 }
 
 /// Gives the axes of all plots the same left and right ends, and few enough numbers to be read.
-void tidy(QCPAxisRect& rect, int numbers) {
+void alignAxes(QCPAxisRect& rect, int numbers) {
   constexpr QMargins kLeast(72, 6, 14, 0);  // [px]
   rect.setMinimumMargins(kLeast);
   rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(numbers);
@@ -95,8 +95,8 @@ RecordingPlot::RecordingPlot(QWidget* parent)
   plot_->plotLayout()->addElement(1, 0, travel_);
   plot_->plotLayout()->setRowStretchFactors({1.2, 1.0});
   plot_->plotLayout()->setRowSpacing(0);
-  tidy(*force_, 4);
-  tidy(*travel_, 2);
+  alignAxes(*force_, 4);
+  alignAxes(*travel_, 2);
   force_->axis(QCPAxis::atBottom)->setTickLabels(false);
   force_->axis(QCPAxis::atLeft)->setLabel(tr("force [N]"));
   travel_->axis(QCPAxis::atLeft)->setLabel(tr("travel"));
@@ -226,7 +226,8 @@ using haptics::recordings::CutLandmarks;
 enum Graph { Recorded, Rendered, Landmarks };
 
 /// The names of the landmarks, in the order of travel, with what was found.
-std::vector<std::pair<QString, std::optional<CurvePoint>>> named(const CutLandmarks& found) {
+std::vector<std::pair<QString, std::optional<CurvePoint>>> namedLandmarks(
+    const CutLandmarks& found) {
   return {
       {CutPlot::tr("interception"), found.interception},
       {CutPlot::tr("yield"), found.yield},
@@ -235,7 +236,7 @@ std::vector<std::pair<QString, std::optional<CurvePoint>>> named(const CutLandma
 }
 
 void fill(QTableWidget& table, const CutLandmarks& landmarks) {
-  const auto rows = named(landmarks);
+  const auto rows = namedLandmarks(landmarks);
   table.setRowCount(static_cast<int>(rows.size()));
   for (int row = 0; row < table.rowCount(); ++row) {
     const auto& [name, point] = rows[static_cast<std::size_t>(row)];
@@ -318,7 +319,7 @@ CutPlot::CutPlot(QWidget* parent)
   change_->setObjectName(QStringLiteral("cut-change"));
   plot_->setMinimumHeight(heightOfPlotOn(*screen()));
   plot_->setAccessibleName(tr("Force over travel"));
-  tidy(*plot_->axisRect(), 5);
+  alignAxes(*plot_->axisRect(), 5);
   plot_->xAxis->setLabel(tr("travel: 0 is open, 10 is closed, more is pressed on"));
   plot_->yAxis->setLabel(tr("force [N]"));
   plot_->legend->setVisible(true);

@@ -75,7 +75,8 @@ class CutPlot final : public QWidget {
   void show(
       const haptics::recordings::Trace& trace, const haptics::recordings::ImportedCut& imported);
   using QWidget::show;
-  /// What became of the recorded shape, and the landmarks as a table; to be placed by the dialog.
+  /// A widget that says how the import changed the recorded curve and lists the landmarks in a
+  /// table. The dialog places it.
   QWidget* summary() const noexcept { return summary_; }
   /// Shows or hides the plot with its summary.
   void setShown(bool isShown);

@@ -27,41 +27,41 @@ void requireWritable(const std::string& out) {
 
 }  // namespace
 
-bool write(const ReportRequest& order, const Progress& progress) {
+bool write(const ReportRequest& request, const Progress& progress) {
   constexpr double kStep = 0.25;  // one of four steps
-  requireWritable(order.out);
-  auto study = Study::open(order.folder, accessForUnblinding(order.reason));
+  requireWritable(request.out);
+  auto study = Study::open(request.folder, accessForUnblinding(request.reason));
   const auto sessions = study.sessions().all();
   const bool hasAny = std::any_of(sessions.begin(), sessions.end(), [&](const auto& session) {
-    return session.runMode == order.mode;
+    return session.runMode == request.mode;
   });
   if (!hasAny) {
     throw UserError(
-        "No " + std::string(nameOf(order.mode)) +
+        "No " + std::string(nameOf(request.mode)) +
         " participant has taken part yet. Choose other "
         "sessions.");
   }
-  recordUnblinding(study, order.mode, EventKind::UnblindedReport, order.reason);
+  recordUnblinding(study, request.mode, EventKind::UnblindedReport, request.reason);
   const bool areFiguresNoted =
-      order.figures.empty() || recordReportPath(study, order.mode, "figures", order.figures);
-  tell(progress, 0.0, "computing the tables, and what was felt");
+      request.figures.empty() || recordReportPath(study, request.mode, "figures", request.figures);
+  announceProgress(progress, 0.0, "computing the tables, and what was felt");
   std::vector<report::ReportSection> sections;
-  sections.push_back(report::gather(study, order.mode, words::wordsIn(order.language)));
-  sections.back().wording = order.wording;
-  sections.back().hasQuotes = order.hasQuotes;
-  tell(progress, kStep, "drawing the figures");
+  sections.push_back(report::gather(study, request.mode, words::wordsIn(request.language)));
+  sections.back().wording = request.wording;
+  sections.back().hasQuotes = request.hasQuotes;
+  announceProgress(progress, kStep, "drawing the figures");
   report::paintFigures(sections.front());
-  tell(progress, 2 * kStep, "laying out the page");
+  announceProgress(progress, 2 * kStep, "laying out the page");
   const auto html = report::asHtml(sections);
-  const bool isPdf = std::filesystem::path(order.out).extension() == ".pdf";
+  const bool isPdf = std::filesystem::path(request.out).extension() == ".pdf";
   const auto page =
-      isPdf ? report::asPdf(html, sections.front().protocol.study.title, order.paper) : html;
-  tell(progress, 3 * kStep, "writing it");
-  const bool isNoted = recordReportPath(study, order.mode, "report", order.out, page);
-  writeNewFile(order.out, page);
-  if (!order.figures.empty()) {
-    std::filesystem::create_directories(order.figures);
-    report::writeFigures(sections.front(), order.figures, order.format);
+      isPdf ? report::asPdf(html, sections.front().protocol.study.title, request.paper) : html;
+  announceProgress(progress, 3 * kStep, "writing it");
+  const bool isNoted = recordReportPath(study, request.mode, "report", request.out, page);
+  writeNewFile(request.out, page);
+  if (!request.figures.empty()) {
+    std::filesystem::create_directories(request.figures);
+    report::writeFigures(sections.front(), request.figures, request.format);
   }
   return areFiguresNoted && isNoted;
 }

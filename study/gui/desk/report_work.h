@@ -10,7 +10,7 @@
 
 namespace study::gui {
 
-/// What to report, and where to write it.
+/// A request for a report: its contents, and the file to write it to.
 struct ReportRequest {
   std::string folder;  ///< the study's folder
   RunMode mode = RunMode::Live;
@@ -27,6 +27,6 @@ struct ReportRequest {
 /// Writes the report as `palpate report` does. Can be called from any thread.
 /// @return  as study::noteCopy()
 /// @throws storage::StorageError, UserError  with a message for the user.
-bool write(const ReportRequest& order, const Progress& progress);
+bool write(const ReportRequest& request, const Progress& progress);
 
 }  // namespace study::gui

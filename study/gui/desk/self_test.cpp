@@ -27,10 +27,10 @@ constexpr int kCommits = 40;
 constexpr double kPromptCommit = 0.02;  // [s]: not noticeable between pages
 constexpr double kSlowCommit = 0.2;     // [s]: clearly noticeable between pages
 
-std::vector<FindingLine> testDevices(const SelfTestOptions& order, const Progress& progress) {
-  const auto own = order.study / kDeviceFileName;
-  const std::string file = !order.deviceFile.empty() ? order.deviceFile : own.string();
-  if (order.deviceFile.empty() && (order.study.empty() || !std::filesystem::exists(own))) {
+std::vector<FindingLine> testDevices(const SelfTestOptions& options, const Progress& progress) {
+  const auto own = options.study / kDeviceFileName;
+  const std::string file = !options.deviceFile.empty() ? options.deviceFile : own.string();
+  if (options.deviceFile.empty() && (options.study.empty() || !std::filesystem::exists(own))) {
     return {
         {"devices",
          {Finding::Pass,
@@ -47,8 +47,8 @@ std::vector<FindingLine> testDevices(const SelfTestOptions& order, const Progres
   try {
     HardwareDeviceSet deviceSet(loadDevices(file), anyHand);
     for (const auto& entry : deviceSet.entries()) {
-      tell(progress, kUnknownShare, said("listening to {}", entry.id));
-      for (auto& result : preflight(*deviceSet.find(entry.id), nullptr, order.seconds)) {
+      announceProgress(progress, kUnknownShare, said("listening to {}", entry.id));
+      for (auto& result : preflight(*deviceSet.find(entry.id), nullptr, options.seconds)) {
         result.what = entry.id + ": " + said(result.what);
         lines.push_back({"devices", std::move(result), ""});
       }
@@ -194,17 +194,18 @@ FindingLine evaluateCommitTimes(const storage::CommitTimes& times, const std::st
       said("median of {}; longest {:.1f} ms; in {}", times.commits, 1e3 * times.longest, folder)};
 }
 
-std::vector<FindingLine> testComputer(const SelfTestOptions& order, const Progress& progress) {
-  auto lines = testDevices(order, progress);
-  tell(progress, kUnknownShare, "testing the timing: a thousand steps a second");
-  lines.push_back(testClock(order.seconds));
-  tell(progress, kUnknownShare, "writing to the disk");
+std::vector<FindingLine> testComputer(const SelfTestOptions& options, const Progress& progress) {
+  auto lines = testDevices(options, progress);
+  announceProgress(progress, kUnknownShare, "testing the timing: a thousand steps a second");
+  lines.push_back(testClock(options.seconds));
+  announceProgress(progress, kUnknownShare, "writing to the disk");
   const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe): no thread sets it
   lines.push_back(testCommits(
-      !order.study.empty() ? order.study : std::filesystem::path(home == nullptr ? "." : home)));
-  if (order.study.empty()) return lines;
-  tell(progress, kUnknownShare, "looking through the databases");
-  const StudyFiles files{order.study};
+      !options.study.empty() ? options.study
+                             : std::filesystem::path(home == nullptr ? "." : home)));
+  if (options.study.empty()) return lines;
+  announceProgress(progress, kUnknownShare, "looking through the databases");
+  const StudyFiles files{options.study};
   lines.push_back(testFile("answers", files.study(), storage::studySchema()));
   lines.push_back(testFile("recordings", files.traces(), storage::traceSchema()));
   lines.push_back(testFile("names", files.identity(), storage::identitySchema()));

@@ -20,7 +20,7 @@ struct SelfTestOptions {
 };
 
 /// Tests devices, clock and database. Blocks for some seconds. Can be called from any thread.
-std::vector<FindingLine> testComputer(const SelfTestOptions& order, const Progress& progress);
+std::vector<FindingLine> testComputer(const SelfTestOptions& options, const Progress& progress);
 
 /// Tests the screens. Call it from the GUI thread.
 std::vector<FindingLine> testScreens();

@@ -13,32 +13,32 @@
 namespace study::gui {
 using haptics::devices::Finding;
 
-SelfTestDialog::SelfTestDialog(SelfTestOptions order, QWidget* parent)
+SelfTestDialog::SelfTestDialog(SelfTestOptions options, QWidget* parent)
     : QDialog(parent),
-      order_(std::move(order)),
+      options_(std::move(options)),
       outcome_(bodyLabel({}, this)),
       table_(new FindingsTable(this)),
       details_(new QCheckBox(tr("Show measurements"), this)),
-      go_(new QPushButton(tr("Test"), this)) {
+      beginButton_(new QPushButton(tr("Test"), this)) {
   setWindowTitle(tr("System check"));
   outcome_->setObjectName(QStringLiteral("outcome"));
   outcome_->setVisible(false);
   table_->setObjectName(QStringLiteral("lines"));
   auto* heading = bodyLabel(tr("System check"), this);
   heading->setProperty("role", QStringLiteral("heading"));
-  go_->setObjectName(QStringLiteral("go"));
-  go_->setProperty("role", QStringLiteral("main"));
-  go_->setFocus();
+  beginButton_->setObjectName(QStringLiteral("go"));
+  beginButton_->setProperty("role", QStringLiteral("main"));
+  beginButton_->setFocus();
   auto* close = new QPushButton(tr("Close"), this);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(details_);
   buttons->addStretch(1);
   buttons->addWidget(close);
-  buttons->addWidget(go_);
+  buttons->addWidget(beginButton_);
   const QString where =
-      order_.study.empty()
+      options_.study.empty()
           ? tr("No study is chosen: its files are left out.")
-          : tr("Study: %1").arg(shownPath(QString::fromStdString(order_.study.string())));
+          : tr("Study: %1").arg(shownPath(QString::fromStdString(options_.study.string())));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(24, 20, 24, 20);
   layout->addWidget(heading);
@@ -49,7 +49,7 @@ SelfTestDialog::SelfTestDialog(SelfTestOptions order, QWidget* parent)
   layout->addWidget(table_, 1);
   layout->addLayout(buttons);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
-  connect(go_, &QPushButton::clicked, this, &SelfTestDialog::test);
+  connect(beginButton_, &QPushButton::clicked, this, &SelfTestDialog::test);
   connect(details_, &QCheckBox::toggled, this, &SelfTestDialog::fill);
   details_->setVisible(false);
   resize(1100, 640);
@@ -59,7 +59,7 @@ void SelfTestDialog::test() {
   std::vector<FindingLine> lines;
   const bool isDone = BackgroundTask::run(
       this, tr("Testing"), MessageTopic::SystemNotChecked, [&](const Progress& progress) {
-        lines = testComputer(order_, progress);
+        lines = testComputer(options_, progress);
       });
   if (!isDone) return;
   for (auto& line : testScreens()) lines.push_back(std::move(line));
@@ -89,8 +89,8 @@ void SelfTestDialog::fill() {
   if (worst != Finding::Pass) {
     outcome_->setText(outcome_->text().arg(ofThese).arg(lines_.size()));
   }
-  go_->setText(tr("Test again"));
-  setRole(*go_, "");
+  beginButton_->setText(tr("Test again"));
+  setRole(*beginButton_, "");
   outcome_->setVisible(true);
   details_->setVisible(true);
 }

@@ -16,7 +16,7 @@ class SelfTestDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  explicit SelfTestDialog(SelfTestOptions order, QWidget* parent = nullptr);
+  explicit SelfTestDialog(SelfTestOptions options, QWidget* parent = nullptr);
 
  public slots:
   void test();
@@ -24,12 +24,12 @@ class SelfTestDialog final : public QDialog {
  private:
   void fill();
 
-  SelfTestOptions order_;
+  SelfTestOptions options_;
   std::vector<FindingLine> lines_;  ///< of the last test
   QLabel* outcome_;
   FindingsTable* table_;
   QCheckBox* details_;
-  QPushButton* go_;
+  QPushButton* beginButton_;
 };
 
 }  // namespace study::gui

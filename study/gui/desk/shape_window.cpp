@@ -63,7 +63,7 @@ QWidget* windowOfFile(const std::string& path, QWidget* parent) {
   throw base::UserError(questionnaires::describe(problems.all()));
 }
 
-QWidget* shown(QWidget* window, const QString& title) {
+QWidget* showTitled(QWidget* window, const QString& title) {
   window->setWindowTitle(title);
   window->show();
   return window;
@@ -72,15 +72,16 @@ QWidget* shown(QWidget* window, const QString& title) {
 }  // namespace
 
 QWidget* openShapeWindow(const QString& path, QWidget* parent) {
-  return shown(windowOfFile(path.toStdString(), parent), QFileInfo(path).fileName());
+  return showTitled(windowOfFile(path.toStdString(), parent), QFileInfo(path).fileName());
 }
 
 QWidget* openBuiltInBone(QWidget* parent) {
-  return shown(boneWindow(haptics::engine::parametricBone(), parent), deskText("Built-in bone"));
+  return showTitled(
+      boneWindow(haptics::engine::parametricBone(), parent), deskText("Built-in bone"));
 }
 
 QWidget* openBuiltInKnee(QWidget* parent) {
-  return shown(kneeWindow(nullptr, parent), deskText("Built-in knee"));
+  return showTitled(kneeWindow(nullptr, parent), deskText("Built-in knee"));
 }
 
 void chooseAndOpenShape(QWidget* parent) {

@@ -57,7 +57,7 @@ bool hasSessions(const QComboBox& choice) {
   return choice.currentData(kCountRole).toInt() > 0;
 }
 
-QString noSessions() {
+QString noSessionsText() {
   return QObject::tr("There are no such sessions yet.");
 }
 
@@ -126,12 +126,12 @@ VerifyDialog::VerifyDialog(const StudySummary& study, QWidget* parent)
           tr("Verify"),
           parent),
       folder_(study.folder),
-      restored_(new QPushButton(tr("A backup was put back on purpose…"), this)) {
-  restored_->setObjectName(QStringLiteral("restored"));
-  restored_->setAutoDefault(false);
-  form().addRow(QString(), restored_);
-  form().setRowVisible(restored_, false);
-  connect(restored_, &QPushButton::clicked, this, &VerifyDialog::recordRestoredBackup);
+      restoredButton_(new QPushButton(tr("A backup was put back on purpose…"), this)) {
+  restoredButton_->setObjectName(QStringLiteral("restored"));
+  restoredButton_->setAutoDefault(false);
+  form().addRow(QString(), restoredButton_);
+  form().setRowVisible(restoredButton_, false);
+  connect(restoredButton_, &QPushButton::clicked, this, &VerifyDialog::recordRestoredBackup);
 }
 
 void VerifyDialog::recordRestoredBackup() {
@@ -157,7 +157,7 @@ void VerifyDialog::work() {
         missing = headsMissingIn(study);
       });
   if (!isDone) return clear();
-  form().setRowVisible(restored_, missing > 0);
+  form().setRowVisible(restoredButton_, missing > 0);
   runButton().setText(tr("Verify again"));
   const auto checks = notesOf(verification);
   if (verification.isSound()) {
@@ -260,14 +260,14 @@ void ReportDialog::updateChoices() {
   form().setRowVisible(reason_, isOfPeople);
   fit();
   setDisabledReason(
-      !hasSessions(*mode_)                                ? noSessions()
+      !hasSessions(*mode_)                                ? noSessionsText()
       : isOfPeople && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
       : target_->path().isEmpty()                         ? tr("Choose a new file.")
                                                           : QString());
 }
 
 void ReportDialog::work() {
-  const ReportRequest order{
+  const ReportRequest request{
       .folder = folder_,
       .mode = chosenMode(*mode_),
       .language = language_->currentData().toString().toStdString(),
@@ -285,13 +285,13 @@ void ReportDialog::work() {
       this,
       tr("Writing the report"),
       MessageTopic::ReportNotWritten,
-      [&](const Progress& progress) { isNoted = write(order, progress); });
-  form().setRowVisible(writtenFigures_, isDone && !order.figures.empty());
-  writtenFigures_->show(QString::fromStdString(order.figures));
+      [&](const Progress& progress) { isNoted = write(request, progress); });
+  form().setRowVisible(writtenFigures_, isDone && !request.figures.empty());
+  writtenFigures_->show(QString::fromStdString(request.figures));
   if (!isDone) return clear();
   const QString path = target_->path();
   rememberDocument(QString::fromStdString(folder_), path);
-  const QString figures = QString::fromStdString(order.figures);
+  const QString figures = QString::fromStdString(request.figures);
   if (!figures.isEmpty()) rememberDocument(QString::fromStdString(folder_), figures);
   showWrittenFile(
       path,

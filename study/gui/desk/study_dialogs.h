@@ -48,7 +48,7 @@ class VerifyDialog final : public WorkDialog {
   void recordRestoredBackup();
 
   std::string folder_;
-  QPushButton* restored_;
+  QPushButton* restoredButton_;
 };
 
 /// Writes the report of a study.
@@ -88,7 +88,7 @@ QComboBox* makeRunModeBox(const StudySummary& study, QWidget* parent);
 /// Whether there are sessions of the chosen mode.
 bool hasSessions(const QComboBox& choice);
 /// Why nothing can be done with a mode that has no sessions.
-QString noSessions();
+QString noSessionsText();
 RunMode chosenMode(const QComboBox& choice);
 
 /// An unused path for a new file or folder next to a study, with today's date:

@@ -93,8 +93,8 @@ std::string joined(const std::vector<std::string>& parts) {
 StudySummary summaryOf(const std::string& folder) {
   StudySummary summary{.folder = folder};
   std::error_code ignored;
-  summary.isGone = !std::filesystem::is_directory(folder, ignored);
-  if (summary.isGone) {
+  summary.isFolderMissing = !std::filesystem::is_directory(folder, ignored);
+  if (summary.isFolderMissing) {
     summary.problem = said(
         "The folder is not there. Was it moved, or is its disk not connected? Open it where it "
         "is now, or remove it from the list.");
@@ -119,7 +119,7 @@ PlanProgress progressOf(const StudySummary& summary) {
 }
 
 std::string sessionsInWords(const StudySummary& summary) {
-  if (!summary.problem.empty()) return said(summary.isGone ? "gone" : "cannot be opened");
+  if (!summary.problem.empty()) return said(summary.isFolderMissing ? "gone" : "cannot be opened");
   if (summary.sessions.empty()) return said("no sessions yet");
   std::vector<std::string> parts;
   const auto [completed, planned] = progressOf(summary);

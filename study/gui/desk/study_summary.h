@@ -34,7 +34,7 @@ struct StudySummary {
   std::vector<UnfinishedSession> unfinished;
   std::optional<Arrivals> arrivals;  ///< at the server, as of the last push; of a station's study
   std::string pushProblem;           ///< why the last push did not succeed (PushRecord::problem)
-  bool isGone = false;               ///< the folder no longer exists
+  bool isFolderMissing = false;      ///< the folder no longer exists
   std::string problem;  ///< a message that says why the study cannot be opened; empty if it can
 };
 

@@ -127,7 +127,7 @@ void SimulateDialog::work() {
         const auto seed = simulationSeed(study);
         endings = simulateCohorts(study, clock, wanted, seed, [&](const SimulationEvent& done) {
           if (done.kind == SimulationEvent::Kind::Enrolment) ++begun;
-          tell(progress, static_cast<double>(std::max(0, begun - 1)) / more, done.what);
+          announceProgress(progress, static_cast<double>(std::max(0, begun - 1)) / more, done.what);
         });
       });
   emit simulated();
@@ -189,7 +189,7 @@ void PlanDialog::work() {
   StudyPlan plan;
   const bool isDone = BackgroundTask::run(
       this, tr("Computing"), MessageTopic::PlanNotComputed, [&](const Progress& progress) {
-        tell(progress, kUnknownShare, "simulating studies");
+        announceProgress(progress, kUnknownShare, "simulating studies");
         auto study = Study::open(folder_, Access::ReadOnly);
         plan = planOf(study.protocol(), planOptions);
       });
@@ -244,7 +244,7 @@ void StatisticsDialog::updateChoices() {
   const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(reason_, isOfPeople);
   setDisabledReason(
-      !hasSessions(*mode_)                                ? noSessions()
+      !hasSessions(*mode_)                                ? noSessionsText()
       : isOfPeople && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
                                                           : QString());
   showResults();
@@ -279,7 +279,7 @@ void StatisticsDialog::work() {
   const auto words = words::wordsIn(deskLanguage());
   BackgroundTask::run(
       this, tr("Computing"), MessageTopic::StatisticsNotComputed, [&](const Progress& progress) {
-        tell(progress, kUnknownShare, "computing the tables");
+        announceProgress(progress, kUnknownShare, "computing the tables");
         auto study = Study::open(folder_, accessForUnblinding(reason));
         recordUnblinding(study, mode, EventKind::UnblindedResults, reason);
         section_ = report::gatherResults(study, mode, words);

@@ -34,10 +34,10 @@ namespace {
 
 constexpr const char* kTourSeenKey = "tour-seen";
 constexpr const char* kTourProtocol = "punch-face-validity";
-constexpr int kTourPictureEvery = 33;  // [ms]
+constexpr int kTourPictureInterval = 33;  // [ms]
 constexpr int kTourSteps = 3;
 
-protocols::LoadedProtocol shippedPunch() {
+protocols::LoadedProtocol shippedPunchProtocol() {
   questionnaires::Problems problems;
   auto loaded = protocols::loadProtocolFile(kTourProtocol, problems);
   if (!loaded) throw std::logic_error("a protocol that ships is not sound");
@@ -91,9 +91,9 @@ QString inUnits(double value, const char* unit, int decimals = 2) {
 
 Tour::Tour(QWidget* parent)
     : QDialog(parent),
-      protocol_(shippedPunch()),
+      protocol_(shippedPunchProtocol()),
       punch_(protocol_.protocol.devices.front(), protocol_.protocol.conditions.front().scene()),
-      count_(quietLabel({}, this)),
+      stepCount_(quietLabel({}, this)),
       heading_(bodyLabel({}, this)),
       steps_(new QStackedWidget(this)),
       back_(new QPushButton(tr("Back"), this)),
@@ -116,7 +116,7 @@ Tour::Tour(QWidget* parent)
   buttons->addWidget(next_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(28, 22, 28, 22);
-  layout->addWidget(count_);
+  layout->addWidget(stepCount_);
   layout->addWidget(heading_);
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
@@ -136,13 +136,13 @@ Tour::Tour(QWidget* parent)
 
 Tour::~Tour() = default;
 
-bool Tour::isNew() {
+bool Tour::isUnseen() {
   return !studioSettings().value(QLatin1String(kTourSeenKey)).toBool();
 }
 
 void Tour::done(int result) {
   studioSettings().setValue(QLatin1String(kTourSeenKey), true);
-  if (punch_.isRunning()) endFeeling();
+  if (punch_.isRunning()) endTrial();
   QDialog::done(result);
 }
 
@@ -175,14 +175,14 @@ QWidget* Tour::makeTrialDemonstration() {
         .sampleTime = status.sampleTime};
   });
   picture->setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it handles the mouse
-  page_ = new TrialPage(
+  trialPage_ = new TrialPage(
       {.name = tr("A first cut"),
        .minimumCuts = 1,
        .device = &punch_.kind(),
        .language = deskLanguage()},
       picture,
       step);
-  disableMnemonics(*page_);
+  disableMnemonics(*trialPage_);
   plot_ = new LivePlot(step, LivePlot::Arrangement::Stacked);
   // Both fill the available space and request none.
   constexpr int kLeastHeight = 180;  // [px]
@@ -193,13 +193,13 @@ QWidget* Tour::makeTrialDemonstration() {
   // Long words of some languages wrap in a narrow window; a layout in a scroll area does not count
   // the lines.
   constexpr int kLeastOfPage = 520;  // [px]
-  page_->setMinimumHeight(kLeastOfPage);
+  trialPage_->setMinimumHeight(kLeastOfPage);
   auto* drawings = new QVBoxLayout;
   drawings->addWidget(sectionLabel(tr("Force and travel of your hand"), step));
   drawings->addWidget(plot_, 1);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(20);
-  columns->addWidget(screenAround(*page_, step), 3);
+  columns->addWidget(screenAround(*trialPage_, step), 3);
   columns->addLayout(drawings, 2);
   auto* layout = new QVBoxLayout(step);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -210,12 +210,12 @@ QWidget* Tour::makeTrialDemonstration() {
           .arg(haptics::models::Interpolation<double>::kAuthorsMaxForce),
       step));
   layout->addLayout(columns, 1);
-  connect(page_, &TrialPage::beginRequested, this, &Tour::begin);
-  connect(page_, &TrialPage::finishRequested, this, [this] {
-    endFeeling();
+  connect(trialPage_, &TrialPage::beginRequested, this, &Tour::begin);
+  connect(trialPage_, &TrialPage::finishRequested, this, [this] {
+    endTrial();
     goTo(1);
   });
-  connect(page_, &TrialPage::handMoved, this, [this](double share) { punch_.moveTo(share); });
+  connect(trialPage_, &TrialPage::handMoved, this, [this](double share) { punch_.moveTo(share); });
   return step;
 }
 
@@ -259,14 +259,14 @@ QWidget* Tour::makeRecord() {
   makeReadOnly(*record_);
   record_->setSelectionMode(QAbstractItemView::NoSelection);
   storedDataLabel_ = quietLabel({}, step);
-  figure_ = new TravelPlot(step);
+  travelPlot_ = new TravelPlot(step);
   record_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   record_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   record_->setShowGrid(false);
   record_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Interactive);
   connect(record_->horizontalHeader(), &QHeaderView::sectionResized, this, &Tour::fitRecord);
   auto* own = new QVBoxLayout;
-  own->addWidget(figure_, 1);
+  own->addWidget(travelPlot_, 1);
   own->addWidget(record_);
   auto* report = new QVBoxLayout;
   report->addWidget(
@@ -294,10 +294,10 @@ QWidget* Tour::makeRecord() {
 void Tour::goTo(int step) {
   static constexpr const char* kHeadings[]{
       "Feel a cut", "What the participant sees next", "What is recorded"};
-  if (punch_.isRunning()) endFeeling();
+  if (punch_.isRunning()) endTrial();
   if (step == kTourSteps - 1) showRecord();
   steps_->setCurrentIndex(step);
-  count_->setText(tr("Step %1 of %2").arg(step + 1).arg(kTourSteps));
+  stepCount_->setText(tr("Step %1 of %2").arg(step + 1).arg(kTourSteps));
   heading_->setText(deskText(kHeadings[step]));
   back_->setEnabled(step > 0);
   next_->setText(
@@ -311,31 +311,31 @@ void Tour::goTo(int step) {
 void Tour::begin() {
   if (!attempt(this, MessageTopic::VirtualPunchNotStarted, [&] { punch_.begin(); })) return;
   plot_->begin(punch_.kind(), 1000.0);
-  figure_->begin(punch_.kind());
-  page_->setRunning(true);
-  watch_.start(kTourPictureEvery);
+  travelPlot_->begin(punch_.kind());
+  trialPage_->setRunning(true);
+  watch_.start(kTourPictureInterval);
 }
 
 void Tour::showTrialState() {
   haptics::engine::TickSample sample;
   while (punch_.nextToPlot(sample)) {
     plot_->add(sample);
-    figure_->add(sample);
+    travelPlot_->add(sample);
   }
   plot_->refresh();
-  page_->setCuts(punch_.status().cuts);
+  trialPage_->setCuts(punch_.status().cuts);
 }
 
-void Tour::endFeeling() {
+void Tour::endTrial() {
   watch_.stop();
   punch_.moveTo(0.0);
   trialRecord_ = punch_.finish();
-  page_->setRunning(false);
+  trialPage_->setRunning(false);
 }
 
 void Tour::showRecord() {
   record_->setRowCount(0);
-  for (auto* shown : {static_cast<QWidget*>(figure_), static_cast<QWidget*>(record_)}) {
+  for (auto* shown : {static_cast<QWidget*>(travelPlot_), static_cast<QWidget*>(record_)}) {
     shown->setVisible(trialRecord_.has_value());
   }
   if (!trialRecord_) {
@@ -353,7 +353,7 @@ void Tour::showRecord() {
     record_->setItem(row, 0, new QTableWidgetItem(what));
     record_->setItem(row, 1, new QTableWidgetItem(value));
   };
-  figure_->refresh();
+  travelPlot_->refresh();
   const auto& felt = *trialRecord_;
   add(tr("Samples, a thousand a second"), QString::number(punch_.samples().size()));
   add(tr("Duration"), inUnits(felt.duration, "s", 1));

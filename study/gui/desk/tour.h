@@ -36,7 +36,7 @@ class Tour final : public QDialog {
   const std::optional<TrialRecord>& trialRecord() const noexcept { return trialRecord_; }
 
   /// Whether the tour has neither been seen nor dismissed on this computer.
-  static bool isNew();
+  static bool isUnseen();
 
  public slots:
   void done(int result) override;
@@ -51,7 +51,7 @@ class Tour final : public QDialog {
   void goTo(int step);
   void begin();
   void showTrialState();
-  void endFeeling();
+  void endTrial();
   void showRecord();
   void fitRecord();
 
@@ -60,12 +60,12 @@ class Tour final : public QDialog {
   VirtualPunch punch_;
   std::optional<TrialRecord> trialRecord_;
   QTimer watch_;
-  QLabel* count_;  ///< "Step 1 of 3"
+  QLabel* stepCount_;  ///< "Step 1 of 3"
   QLabel* heading_;
   QStackedWidget* steps_;
-  TrialPage* page_ = nullptr;
+  TrialPage* trialPage_ = nullptr;
   LivePlot* plot_ = nullptr;
-  TravelPlot* figure_ = nullptr;
+  TravelPlot* travelPlot_ = nullptr;
   QTableWidget* record_ = nullptr;
   QLabel* storedDataLabel_ = nullptr;
   QPushButton* back_;

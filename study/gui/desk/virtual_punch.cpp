@@ -33,7 +33,7 @@ void VirtualPunch::begin() {
           .storeChunk = [this](int, const std::vector<storage::TraceSample>& chunk) {
             samples_.insert(samples_.end(), chunk.begin(), chunk.end());
           }});
-  live_ = std::make_unique<LiveTrial>(*trial_);
+  liveTrial_ = std::make_unique<LiveTrial>(*trial_);
 }
 
 void VirtualPunch::moveTo(double share) {
@@ -41,8 +41,8 @@ void VirtualPunch::moveTo(double share) {
 }
 
 TrialRecord VirtualPunch::finish() {
-  auto record = live_->finish(TrialEnding::Finished);
-  live_.reset();
+  auto record = liveTrial_->finish(TrialEnding::Finished);
+  liveTrial_.reset();
   trial_.reset();
   return record;
 }

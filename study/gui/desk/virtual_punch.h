@@ -20,13 +20,15 @@ class VirtualPunch {
 
   const haptics::devices::DeviceKind& kind() const noexcept { return *need_.kind; }
 
-  bool isRunning() const noexcept { return live_ != nullptr; }
+  bool isRunning() const noexcept { return liveTrial_ != nullptr; }
   void begin();
   /// Sets the wanted hand position, from 0 (open) to 1 (closed).
   void moveTo(double share);
-  LiveTrial::Status status() const { return live_ ? live_->status() : LiveTrial::Status{}; }
+  LiveTrial::Status status() const {
+    return liveTrial_ ? liveTrial_->status() : LiveTrial::Status{};
+  }
   bool nextToPlot(haptics::engine::TickSample& sample) {
-    return live_ && live_->nextToPlot(sample);
+    return liveTrial_ && liveTrial_->nextToPlot(sample);
   }
   TrialRecord finish();
 
@@ -40,7 +42,7 @@ class VirtualPunch {
   SimulatedDeviceSet deviceSet_;
   std::vector<storage::TraceSample> samples_;
   std::unique_ptr<Trial> trial_;
-  std::unique_ptr<LiveTrial> live_;  // declared after the trial, so that it is destroyed first
+  std::unique_ptr<LiveTrial> liveTrial_;  // declared after the trial, so that it is destroyed first
 };
 
 }  // namespace study::gui

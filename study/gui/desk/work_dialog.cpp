@@ -19,17 +19,17 @@ namespace {
 constexpr int kUsualWidth = 760;        // [px]
 constexpr double kShareOfScreen = 0.9;  // the rest is for the desktop's bars
 
-/// The widgets of a layout that Tab stops at, in the order in which they are seen.
-void collectStops(const QLayout& layout, std::vector<QWidget*>& stops) {
+/// Collects the widgets of a layout that the Tab key reaches, in the order in which they are shown.
+void collectTabStops(const QLayout& layout, std::vector<QWidget*>& stops) {
   for (int i = 0; i < layout.count(); ++i) {
     auto* item = layout.itemAt(i);
-    if (item->layout() != nullptr) collectStops(*item->layout(), stops);
+    if (item->layout() != nullptr) collectTabStops(*item->layout(), stops);
     auto* widget = item->widget();
     if (widget == nullptr) continue;
     if (widget->focusProxy() == nullptr && (widget->focusPolicy() & Qt::TabFocus) != 0) {
       stops.push_back(widget);
     } else if (widget->layout() != nullptr) {
-      collectStops(*widget->layout(), stops);
+      collectTabStops(*widget->layout(), stops);
     }
   }
 }
@@ -42,8 +42,8 @@ WorkDialog::WorkDialog(
       scroll_(new QScrollArea(this)),
       form_(new FieldForm),
       notice_(bodyLabel({}, this)),
-      line_(bodyLabel({}, this)),
-      written_(new WrittenFile(this)),
+      outcomeLine_(bodyLabel({}, this)),
+      writtenFile_(new WrittenFile(this)),
       details_(new NoteList(this)),
       disabledReason_(quietLabel({}, this)),
       runButton_(new QPushButton(verb, this)) {
@@ -55,7 +55,7 @@ WorkDialog::WorkDialog(
   runButton_->setDefault(true);
   notice_->setObjectName(QStringLiteral("notice"));
   notice_->setVisible(false);
-  line_->setObjectName(QStringLiteral("outcome"));
+  outcomeLine_->setObjectName(QStringLiteral("outcome"));
   details_->setObjectName(QStringLiteral("more"));
   details_->setAccessibleName(tr("Details"));
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
@@ -69,8 +69,8 @@ WorkDialog::WorkDialog(
   page->addWidget(quietLabel(what, this));
   page->addWidget(notice_);
   page->addLayout(form_);
-  page->addWidget(line_);
-  page->addWidget(written_);
+  page->addWidget(outcomeLine_);
+  page->addWidget(writtenFile_);
   page->addWidget(details_);
   page->addStretch(1);
   scroll_->setWidgetResizable(true);
@@ -148,9 +148,9 @@ void WorkDialog::showOutcome(Outcome outcome, const QString& line, const QString
 }
 
 void WorkDialog::showOutcome(Outcome outcome, const QString& line, const std::vector<Note>& more) {
-  showMarked(*line_, outcome, line);
-  line_->setVisible(true);
-  written_->show(QString());
+  showMarked(*outcomeLine_, outcome, line);
+  outcomeLine_->setVisible(true);
+  writtenFile_->show(QString());
   if (outcome == Outcome::Good) setMain(false);
   showDetails(more);
 }
@@ -158,9 +158,9 @@ void WorkDialog::showOutcome(Outcome outcome, const QString& line, const std::ve
 void WorkDialog::showWrittenFile(
     const QString& path, const QString& line, const std::vector<Note>& more, Outcome outcome) {
   showOutcome(outcome, line, more);
-  written_->show(path);
+  writtenFile_->show(path);
   fit();
-  scroll_->ensureWidgetVisible(line_);  // otherwise the form above it may fill the screen
+  scroll_->ensureWidgetVisible(outcomeLine_);  // otherwise the form above it may fill the screen
 }
 
 void WorkDialog::showDetails(const std::vector<Note>& more) {
@@ -171,18 +171,18 @@ void WorkDialog::showDetails(const std::vector<Note>& more) {
 }
 
 void WorkDialog::setMain(bool isMain) {
-  // What erases stays marked.
+  // A button that erases data keeps the role "danger".
   const bool isDanger = runButton_->property("role").toString() == QStringLiteral("danger");
   if (!isDanger) setRole(*runButton_, isMain ? "main" : "");
 }
 
 /// Tab goes through the fields in the order of the rows and ends at the buttons. The first field
 /// has the focus; without one, the button.
-void WorkDialog::orderStops() {
+void WorkDialog::orderTabStops() {
   std::vector<QWidget*> fields;
-  collectStops(*form_, fields);
+  collectTabStops(*form_, fields);
   std::vector<QWidget*> stops;
-  collectStops(*layout(), stops);
+  collectTabStops(*layout(), stops);
   for (std::size_t i = 1; i < stops.size(); ++i) setTabOrder(stops[i - 1], stops[i]);
   const auto first = std::ranges::find_if(fields, [this](const QWidget* field) {
     return field->isVisibleTo(this) && field->isEnabled();
@@ -190,7 +190,7 @@ void WorkDialog::orderStops() {
   (first == fields.end() ? runButton_ : *first)->setFocus();
 }
 
-/// What the page needs without scrolling. A scrolled widget is never lower than its minimum size
+/// The height of the page without scrolling. A scrolled widget is never lower than its minimum size
 /// hint, for which labels wrap into more lines.
 int WorkDialog::heightOfPage() const {
   auto* inside = scroll_->widget();
@@ -199,7 +199,7 @@ int WorkDialog::heightOfPage() const {
       inside->layout()->totalHeightForWidth(width()), inside->minimumSizeHint().height());
 }
 
-/// Gives the table what the rest of the page leaves of @p room [px].
+/// Gives the table the part of the height @p room [px] that the rest of the page does not need.
 void WorkDialog::fitTable(int room) {
   if (result_ == nullptr || result_->isHidden()) return;
   result_->giveTableRoom(room - (heightOfPage() - result_->tableHeight()));
@@ -260,15 +260,15 @@ void WorkDialog::showEvent(QShowEvent* event) {
   int widest = 0;
   for (const auto* number : numbers) widest = std::max(widest, number->sizeHint().width());
   for (auto* number : numbers) number->setMinimumWidth(widest);
-  orderStops();
+  orderTabStops();
   fit();  // sizes depend on the theme, which is applied when the dialog is shown
   QTimer::singleShot(0, this, &WorkDialog::fit);  // some fields get the theme only afterwards
 }
 
 void WorkDialog::clear() {
-  line_->clear();
-  line_->setVisible(false);
-  written_->show(QString());
+  outcomeLine_->clear();
+  outcomeLine_->setVisible(false);
+  writtenFile_->show(QString());
   setMain(true);
   showDetails({});
 }

@@ -38,10 +38,10 @@ class WorkDialog : public QDialog {
 
   /// Adds a row with a hint on the field above it.
   QLabel* addHint(const QString& words);
-  /// Says above the form what has to be known before.
+  /// Shows a notice above the form, which the user should read before the work is begun.
   void showNotice(Mark mark, const QString& line);
-  /// Shows the result in one line, and details below. After a good one the button is no longer the
-  /// main one.
+  /// Shows the result in one line, and details below. After a good result the button no longer has
+  /// the style of the main button.
   void showOutcome(Outcome outcome, const QString& line, const QString& more = {});
   void showOutcome(Outcome outcome, const QString& line, const std::vector<Note>& more);
   /// The same for something that was written, which can be opened from here.
@@ -52,17 +52,17 @@ class WorkDialog : public QDialog {
       Outcome outcome = Outcome::Good);
   /// Places pictures beside the form; below it where the dialog is narrow.
   void addBeside(QBoxLayout* pictures);
-  /// Places tables below the result. They get what room the screen has.
+  /// Places tables below the result. They get the height that the screen has left.
   void addResult(ResultView* result);
   /// Shows details without a result.
   void showDetails(const std::vector<Note>& more);
   void clear();
-  /// Marks the button as the main one, which it is until its work is done.
+  /// Gives the button the style of the main button, or takes it away, as after the work is done.
   void setMain(bool isMain);
   /// Makes the dialog wide enough for tables, as far as the screen has room.
   /// @param width  [px]
   void widen(int width);
-  /// Resizes the dialog to its contents, as far as the screen has room. One that the user has
+  /// Resizes the dialog to its contents, as far as the screen has room. A dialog that the user has
   /// resized is only enlarged.
   void fit();
 
@@ -74,7 +74,7 @@ class WorkDialog : public QDialog {
 
  private:
   QHBoxLayout* makeButtons();
-  void orderStops();
+  void orderTabStops();
   int heightOfPage() const;
   void fitTable(int room);
   int wantedHeight();
@@ -85,8 +85,8 @@ class WorkDialog : public QDialog {
   QBoxLayout* body_ = nullptr;      ///< the form, with pictures beside it
   QBoxLayout* pictures_ = nullptr;  ///< nullptr: there are none
   QLabel* notice_;
-  QLabel* line_;
-  class WrittenFile* written_;
+  QLabel* outcomeLine_;
+  class WrittenFile* writtenFile_;
   NoteList* details_;
   ResultView* result_ = nullptr;  ///< nullptr: the dialog has no tables
   QLabel* disabledReason_;

@@ -63,8 +63,8 @@ struct HomeWindow::OpenStudy {
 HomeWindow::HomeWindow(std::string deviceFile, QWidget* parent)
     : QMainWindow(parent), deviceFile_(std::move(deviceFile)) {
   setWindowTitle(tr("Palpate"));
-  reading_.setSingleShot(true);
-  connect(&reading_, &QTimer::timeout, this, &HomeWindow::loadNextVisibleSummary);
+  readTimer_.setSingleShot(true);
+  connect(&readTimer_, &QTimer::timeout, this, &HomeWindow::loadNextVisibleSummary);
   makeContents();
   // A study with a few documents is seen without scrolling where the screen is high enough.
   constexpr QSize kLeast(1240, 740);
@@ -80,11 +80,11 @@ void HomeWindow::makeContents() {
   list_ = new StudyList(this);
   panel_ = new StudyPanel(this);
   welcome_ = new Welcome(this);
-  side_ = makeList();
+  listColumn_ = makeList();
   auto* inside = new QWidget(this);
   columns_ = new QHBoxLayout(inside);
   columns_->setSpacing(24);
-  columns_->addWidget(side_, 2);
+  columns_->addWidget(listColumn_, 2);
   columns_->addWidget(panel_, 3);
   columns_->addWidget(welcome_, 1);
   auto* scroll = new QScrollArea(this);
@@ -119,7 +119,7 @@ void HomeWindow::arrange() {
 void HomeWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   arrange();
-  reading_.start();
+  readTimer_.start();
 }
 
 void HomeWindow::changeEvent(QEvent* event) {
@@ -142,7 +142,7 @@ QWidget* HomeWindow::makeList() {
   list_->setAccessibleName(tr("Studies"));
   list_->setObjectName(QStringLiteral("studies"));
   connect(
-      list_->verticalScrollBar(), &QScrollBar::valueChanged, this, [this] { reading_.start(); });
+      list_->verticalScrollBar(), &QScrollBar::valueChanged, this, [this] { readTimer_.start(); });
   connect(list_, &QTableWidget::itemSelectionChanged, this, &HomeWindow::showChosen);
   connect(list_, &QTableWidget::cellDoubleClicked, this, [this] {
     const auto* study = chosen();
@@ -152,14 +152,14 @@ QWidget* HomeWindow::makeList() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(12);
   layout->addWidget(titleLabel(tr("Studies"), side));
-  constexpr int kAllThereIs = 1000;  // the list takes what its rows need, and the rest is empty
-  layout->addWidget(list_, kAllThereIs);
+  constexpr int kTableStretch = 1000;  // the list takes what its rows need, and the rest is empty
+  layout->addWidget(list_, kTableStretch);
   layout->addWidget(makeTools(side));
   layout->addStretch(1);
   return side;
 }
 
-/// What needs no chosen study.
+/// The buttons for tasks that need no chosen study.
 QWidget* HomeWindow::makeTools(QWidget* parent) {
   auto* tools = new QWidget(parent);
   auto* make = new QPushButton(tr("New study…"), tools);
@@ -175,11 +175,11 @@ QWidget* HomeWindow::makeTools(QWidget* parent) {
   layout->setSpacing(0);
   layout->addLayout(buttons);
   layout->addSpacing(12);
-  const auto add = [&](const QString& words, void (HomeWindow::*wanted)()) {
+  const auto add = [&](const QString& words, void (HomeWindow::*requestSignal)()) {
     auto* link = new QPushButton(words, tools);
     link->setProperty("role", QStringLiteral("link"));
     layout->addWidget(link, 0, Qt::AlignLeft);
-    connect(link, &QPushButton::clicked, this, wanted);
+    connect(link, &QPushButton::clicked, this, requestSignal);
   };
   add(tr("Check protocol…"), &HomeWindow::askForProtocol);
   add(tr("System check…"), &HomeWindow::testComputer);
@@ -322,9 +322,9 @@ void HomeWindow::refresh() {
     fillRow(row++);
   }
   welcome_->setVisible(recent.empty());
-  side_->setVisible(!recent.empty());
+  listColumn_->setVisible(!recent.empty());
   panel_->setVisible(!recent.empty());
-  reading_.start();
+  readTimer_.start();
   select(QString::fromStdString(folder));
 }
 
@@ -354,7 +354,7 @@ void HomeWindow::loadNextVisibleSummary() {
     if (studies_[static_cast<std::size_t>(row)].isRead) continue;
     if (!list_->visualRect(list_->model()->index(row, 0)).intersects(sight)) continue;
     read(row);
-    return reading_.start();
+    return readTimer_.start();
   }
 }
 
@@ -394,27 +394,27 @@ void HomeWindow::choose(const QString& folder) {
 }
 
 OperatorWindow* HomeWindow::operatorWindow() const noexcept {
-  return open_ ? &open_->window : nullptr;
+  return openStudy_ ? &openStudy_->window : nullptr;
 }
 
 void HomeWindow::openStudy(const QString& folder, std::optional<SessionId> session) {
-  if (open_) return;
+  if (openStudy_) return;
   askForPassphraseOfKey(folder.toStdString(), this);
   askForPassphraseOfNames(folder.toStdString(), this);
   const bool isOpen = attempt(this, MessageTopic::StudyNotOpened, [&] {
-    open_ = std::make_unique<OpenStudy>(folder.toStdString(), deviceFile_);
+    openStudy_ = std::make_unique<OpenStudy>(folder.toStdString(), deviceFile_);
   });
   if (!isOpen) return;
-  const auto& title = open_->study.protocol().protocol.study.title;
+  const auto& title = openStudy_->study.protocol().protocol.study.title;
   addRecentStudy(folder, QString::fromStdString(title));
-  open_->window.installEventFilter(this);
-  open_->window.show();
+  openStudy_->window.installEventFilter(this);
+  openStudy_->window.show();
   hide();
-  if (session) open_->window.resumeAfterChecks(*session);
+  if (session) openStudy_->window.resumeAfterChecks(*session);
 }
 
 bool HomeWindow::eventFilter(QObject* watched, QEvent* event) {
-  const bool isOperator = open_ && watched == &open_->window;
+  const bool isOperator = openStudy_ && watched == &openStudy_->window;
   if (isOperator && event->type() == QEvent::Hide && !event->spontaneous()) {
     show();  // before Qt quits because the last window was closed
     QTimer::singleShot(0, this, &HomeWindow::closeStudy);
@@ -423,9 +423,9 @@ bool HomeWindow::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void HomeWindow::closeStudy() {
-  if (!open_) return;
-  open_->window.removeEventFilter(this);
-  open_.reset();
+  if (!openStudy_) return;
+  openStudy_->window.removeEventFilter(this);
+  openStudy_.reset();
   refresh();
   list_->selectRow(0);
 }

@@ -84,14 +84,14 @@ class HomeWindow final : public QMainWindow {
     bool isRead = false;
   };
   std::vector<Row> studies_;  ///< in the order of the list
-  QTimer reading_;            ///< reads the next visible row that was not read yet
+  QTimer readTimer_;          ///< reads the next visible row that was not read yet
   std::string language_;      ///< of the present contents
   QBoxLayout* columns_ = nullptr;
-  QWidget* side_ = nullptr;  ///< the list, with what needs no chosen study
+  QWidget* listColumn_ = nullptr;  ///< the list, with what needs no chosen study
   StudyList* list_ = nullptr;
   StudyPanel* panel_ = nullptr;
   Welcome* welcome_ = nullptr;  ///< in place of both where there are no studies
-  std::unique_ptr<OpenStudy> open_;
+  std::unique_ptr<OpenStudy> openStudy_;
 };
 
 }  // namespace study::gui

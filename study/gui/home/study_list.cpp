@@ -15,8 +15,8 @@
 namespace study::gui {
 namespace {
 
-constexpr int kLines = Qt::UserRole + 1;  ///< title, place and progress
-constexpr int kBroken = Qt::UserRole + 2;
+constexpr int kLinesRole = Qt::UserRole + 1;  ///< title, place and progress
+constexpr int kBrokenRole = Qt::UserRole + 2;
 
 // [px]
 constexpr int kGapBetweenRows = 6;
@@ -54,7 +54,7 @@ class StudyCard final : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    const auto lines = index.data(kLines).toStringList();
+    const auto lines = index.data(kLinesRole).toStringList();
     const auto& font = option.widget->font();
     const int width = option.rect.width() - 2 * kPaddingX;
     int height = kGapBetweenRows + 2 * kPaddingY;
@@ -62,7 +62,7 @@ class StudyCard final : public QStyledItemDelegate {
       if (i > 0) height += kGapBetweenLines;
       height += heightOfText(i == 0 ? boldOf(font) : font, width, lines[i]);
     }
-    if (index.data(StudyList::kShare).isValid()) height += kAboveBar + kBarHeight;
+    if (index.data(StudyList::kShareRole).isValid()) height += kAboveBar + kBarHeight;
     return {option.rect.width(), height};
   }
 
@@ -74,7 +74,7 @@ class StudyCard final : public QStyledItemDelegate {
     paintCard(*painter, card, option);
     QRect room = card.adjusted(kPaddingX - 1, kPaddingY, -kPaddingX + 1, -kPaddingY);
     paintLines(*painter, room, *option.widget, index);
-    paintBar(*painter, room, *option.widget, index.data(StudyList::kShare));
+    paintBar(*painter, room, *option.widget, index.data(StudyList::kShareRole));
     painter->restore();
   }
 
@@ -107,8 +107,8 @@ class StudyCard final : public QStyledItemDelegate {
   static void paintLines(
       QPainter& painter, QRect& room, const QWidget& widget, const QModelIndex& index) {
     const auto& colours = themeOf(widget);
-    const auto lines = index.data(kLines).toStringList();
-    const bool isBroken = index.data(kBroken).toBool();
+    const auto lines = index.data(kLinesRole).toStringList();
+    const bool isBroken = index.data(kBrokenRole).toBool();
     const std::array<QColor, 3> inks{
         colours.field.text, colours.quiet, isBroken ? colours.bad.background : colours.field.text};
     std::size_t line = 0;
@@ -158,9 +158,9 @@ StudyList::StudyList(QWidget* parent) : QTableWidget(0, 1, parent) {
 void StudyList::setRow(int row, const Row& shown) {
   const QStringList lines{shown.title, shown.place, shown.progress};
   auto* cell = new QTableWidgetItem(lines.join(QLatin1Char('\n')));
-  cell->setData(kLines, lines);
-  cell->setData(kBroken, shown.isBroken);
-  if (shown.share) cell->setData(kShare, *shown.share);
+  cell->setData(kLinesRole, lines);
+  cell->setData(kBrokenRole, shown.isBroken);
+  if (shown.share) cell->setData(kShareRole, *shown.share);
   setItem(row, 0, cell);
 }
 
@@ -178,7 +178,7 @@ QSize StudyList::minimumSizeHint() const {
   return {kLeast.width(), std::min(kLeast.height(), heightOfRows())};
 }
 
-/// The rows have another height, or their number has changed.
+/// Qt calls this when the heights of the rows or their number have changed.
 void StudyList::updateGeometries() {
   QTableWidget::updateGeometries();
   const int most = std::max(1, heightOfRows());

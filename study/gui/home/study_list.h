@@ -7,8 +7,9 @@
 
 namespace study::gui {
 
-/// The studies of this computer, one row each: the title, where it is and when it was opened, and
-/// how far it has come, below each other. It is as high as its rows, up to the room there is.
+/// The studies of this computer, one row each: the title, below it the folder and the day on which
+/// the study was last opened, and below that its progress. The list is as high as its rows, if
+/// there is room.
 class StudyList final : public QTableWidget {
   Q_OBJECT
 
@@ -21,7 +22,7 @@ class StudyList final : public QTableWidget {
     bool isBroken = false;        ///< the study cannot be opened
   };
   /// The role of Row::share in an item; no bar without it.
-  static constexpr int kShare = Qt::UserRole;
+  static constexpr int kShareRole = Qt::UserRole;
 
   explicit StudyList(QWidget* parent = nullptr);
 

@@ -26,7 +26,7 @@ void clearLayout(QLayout& layout) {
   }
 }
 
-/// What the bars of the cohorts do not say.
+/// The facts on sessions that the bars of the cohorts do not show.
 QString aboutSessions(const StudySummary& summary) {
   QStringList parts;
   const auto others = QString::fromStdString(otherSessionsInWords(summary));
@@ -74,7 +74,7 @@ StudyPanel::StudyPanel(QWidget* parent)
   makeActions();
   auto* documents = new QVBoxLayout(documents_);
   documents->setContentsMargins(0, 0, 0, 0);
-  documents->addWidget(rule());
+  documents->addWidget(makeSeparator());
   documents->addWidget(sectionLabel(tr("Reports and exports"), documents_));
   documents->addLayout(documentRows_);
   documentRows_->setSpacing(0);
@@ -93,16 +93,16 @@ StudyPanel::StudyPanel(QWidget* parent)
       makeRemark(*textsRemark_, tr("Fill in the texts…"), &StudyPanel::textsRequested));
   layout->addLayout(progress_);
   layout->addLayout(unfinished_);
-  layout->addWidget(rule());
+  layout->addWidget(makeSeparator());
   layout->addLayout(actions_);
   layout->addWidget(documents_);
   layout->addStretch(1);
-  layout->addWidget(rule());
+  layout->addWidget(makeSeparator());
   layout->addWidget(foot_);
   clear();
 }
 
-QFrame* StudyPanel::rule() {
+QFrame* StudyPanel::makeSeparator() {
   auto* line = new QFrame(this);
   line->setProperty("role", QStringLiteral("rule"));
   return line;
@@ -120,17 +120,18 @@ void StudyPanel::makeActions() {
     column->setAccessibleName(title);
     groups_.push_back({column, {}});
   };
-  const auto add = [&](const QString& words, const char* name, void (StudyPanel::*wanted)()) {
-    auto* column = groups_.back().column;
-    auto* button = new QPushButton(words, column);
-    button->setObjectName(QString::fromUtf8(name));
-    button->setProperty("role", QStringLiteral("link"));
-    button->setAccessibleDescription(column->accessibleName());
-    column->layout()->addWidget(button);
-    groups_.back().buttons.push_back(button);
-    connect(button, &QPushButton::clicked, this, wanted);
-    return button;
-  };
+  const auto add =
+      [&](const QString& words, const char* name, void (StudyPanel::*requestSignal)()) {
+        auto* column = groups_.back().column;
+        auto* button = new QPushButton(words, column);
+        button->setObjectName(QString::fromUtf8(name));
+        button->setProperty("role", QStringLiteral("link"));
+        button->setAccessibleDescription(column->accessibleName());
+        column->layout()->addWidget(button);
+        groups_.back().buttons.push_back(button);
+        connect(button, &QPushButton::clicked, this, requestSignal);
+        return button;
+      };
   group(tr("Protocol"));
   add(tr("Fill in the texts…"), "texts", &StudyPanel::textsRequested);
   add(tr("Preview…"), "preview", &StudyPanel::previewRequested);
@@ -155,9 +156,9 @@ void StudyPanel::makeActions() {
   }
 }
 
-/// Something that is still to be done, with the button that does it.
+/// Makes a row for a task that is still open: a remark, and the button that does the task.
 QWidget* StudyPanel::makeRemark(
-    QLabel& remark, const QString& words, void (StudyPanel::*wanted)()) {
+    QLabel& remark, const QString& words, void (StudyPanel::*requestSignal)()) {
   auto* row = new QWidget(this);
   row->setProperty("role", QStringLiteral("plain"));
   auto* button = new QPushButton(words, row);
@@ -168,7 +169,7 @@ QWidget* StudyPanel::makeRemark(
   line->setContentsMargins(0, 0, 0, 0);
   line->addWidget(&remark, 1);
   line->addWidget(button);
-  connect(button, &QPushButton::clicked, this, wanted);
+  connect(button, &QPushButton::clicked, this, requestSignal);
   return row;
 }
 
@@ -295,8 +296,9 @@ void StudyPanel::showUnfinished(const StudySummary& summary) {
   }
 }
 
-/// One sentence and the buttons, which are in sight on a small screen; the rest is shown on demand.
-/// @param isMain  whether its button is the one to press next.
+/// Makes the card of an unfinished session: one sentence and the buttons, which a small screen
+/// shows as well; details are shown on demand.
+/// @param isMain  whether its button is the main one of the panel.
 QWidget* StudyPanel::makeCard(const UnfinishedSession& session, bool isMain) {
   auto* card = new QFrame(this);
   card->setProperty("role", QStringLiteral("card"));

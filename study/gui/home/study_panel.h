@@ -49,9 +49,9 @@ class StudyPanel final : public QFrame {
 
  private:
   void setMinimumHeights();
-  QWidget* makeRemark(QLabel& remark, const QString& words, void (StudyPanel::*wanted)());
+  QWidget* makeRemark(QLabel& remark, const QString& words, void (StudyPanel::*requestSignal)());
   void makeActions();
-  QFrame* rule();
+  QFrame* makeSeparator();
   void enableActions(bool isEnabled);
   void showUnfinished(const StudySummary& summary);
   void showProgress(const StudySummary& summary);

@@ -10,12 +10,12 @@
 namespace study::gui {
 
 /// A way to begin, with the button that goes there.
-struct Welcome::Way {
+struct Welcome::StartOption {
   QString title;
   QString what;
   QString button;
   const char* role;
-  void (Welcome::*wanted)();
+  void (Welcome::*requestSignal)();
 };
 
 Welcome::Welcome(QWidget* parent)
@@ -71,7 +71,7 @@ Welcome::Welcome(QWidget* parent)
   page->addStretch(3);
 }
 
-void Welcome::addCard(const Way& way) {
+void Welcome::addCard(const StartOption& way) {
   auto* card = new QFrame(this);
   card->setProperty("role", QStringLiteral("card"));
   auto* title = bodyLabel(way.title, card);
@@ -88,20 +88,20 @@ void Welcome::addCard(const Way& way) {
   lines->addWidget(what, 1);
   lines->addSpacing(8);
   lines->addWidget(button);
-  connect(button, &QPushButton::clicked, this, way.wanted);
+  connect(button, &QPushButton::clicked, this, way.requestSignal);
   cards_->addWidget(card, 1);
 }
 
-/// What is needed less often.
+/// Links to actions that are needed less often.
 QWidget* Welcome::makeLinks() {
   auto* row = new QWidget(this);
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(16);
-  const auto add = [&](const QString& words, void (Welcome::*wanted)()) {
+  const auto add = [&](const QString& words, void (Welcome::*requestSignal)()) {
     auto* link = new QPushButton(words, row);
     link->setProperty("role", QStringLiteral("link"));
-    connect(link, &QPushButton::clicked, this, wanted);
+    connect(link, &QPushButton::clicked, this, requestSignal);
     line->addWidget(link);
   };
   add(tr("Open the folder of a study…"), &Welcome::folderRequested);

@@ -24,8 +24,8 @@ class Welcome final : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  struct Way;
-  void addCard(const Way& way);
+  struct StartOption;
+  void addCard(const StartOption& way);
   QWidget* makeLinks();
 
   QBoxLayout* cards_;  ///< beside each other; below each other in a narrow window

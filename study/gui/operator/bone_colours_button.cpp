@@ -14,7 +14,7 @@ namespace {
 
 /// Whether any trial of @p protocol shows a bone of spheres. The result is the same in each step of
 /// a study, so it does not reveal the condition of a step.
-bool isBoneSeen(const protocols::Protocol& protocol) {
+bool isBoneVisualised(const protocols::Protocol& protocol) {
   const bool isAnyBlockSeen =
       std::any_of(protocol.phases.begin(), protocol.phases.end(), [](const auto& phase) {
         return phase.trials.isVisualised.value_or(false);
@@ -55,7 +55,7 @@ void BoneColoursButton::setController(SessionController* controller) {
   closeWindow();
   controller_ = controller;
   isAllowed_ = false;
-  setVisible(controller != nullptr && isBoneSeen(controller->session().protocol().protocol));
+  setVisible(controller != nullptr && isBoneVisualised(controller->session().protocol().protocol));
   if (controller == nullptr) return;
   const QString why = reasonForNoColours(controller->session());
   isAllowed_ = why.isEmpty();
@@ -70,11 +70,11 @@ scene::BoneColoursWindow::FollowedTrial BoneColoursButton::present() const {
   if (controller_ == nullptr || !controller_->isTrialRunning()) return {};
   auto* bone = controller_->visibleBone();
   if (bone == nullptr || bone->spheres() == nullptr) return {};
-  return {.seen = bone, .isRunning = true};
+  return {.participantView = bone, .isRunning = true};
 }
 
 void BoneColoursButton::refresh() {
-  const bool isThere = isAllowed_ && present().seen != nullptr;
+  const bool isThere = isAllowed_ && present().participantView != nullptr;
   if (isEnabled() != isThere) setEnabled(isThere);
   if (!isThere) closeWindow();
 }
@@ -95,8 +95,8 @@ bool BoneColoursButton::confirmOpening() {
 }
 
 void BoneColoursButton::openWindow() {
-  if (!isAllowed_ || present().seen == nullptr || !confirmOpening()) return;
-  if (present().seen == nullptr) return;  // the trial may have ended meanwhile
+  if (!isAllowed_ || present().participantView == nullptr || !confirmOpening()) return;
+  if (present().participantView == nullptr) return;  // the trial may have ended meanwhile
   if (window_.isNull()) {
     const auto spec = sceneFor(controller_->session());
     window_ = new scene::BoneColoursWindow(

@@ -12,7 +12,7 @@ namespace study::gui {
 namespace {
 
 /// The question that says what will happen in the present state and step of the session.
-MessageTopic asAsked(MessageTopic topic, const Session& session) {
+MessageTopic topicInState(MessageTopic topic, const Session& session) {
   const bool isTrial = !session.isOver() && session.step().kind == StepKind::Trial;
   const bool isBroken = session.state() == SessionState::Interrupted;
   if (topic == MessageTopic::RepeatStep && isBroken) return MessageTopic::RepeatTrial;
@@ -20,7 +20,7 @@ MessageTopic asAsked(MessageTopic topic, const Session& session) {
   return topic;
 }
 
-/// What a question names: the number and the name of the step to repeat.
+/// The arguments of a question: the number and the name of the step to repeat.
 QStringList argumentsOf(MessageTopic topic, const Session& session) {
   if (topic != MessageTopic::RepeatStep) return {};
   const int step = session.stepToRepeat();
@@ -98,7 +98,7 @@ QWidget* ControlPanel::makeButtons() {
   now->addWidget(countCut_, 1);
   layout->addWidget(note_);
   addGroup(*layout, tr("Session"), {{handOver_, consent_, close_}});
-  emergency_ = {
+  endingButtons_ = {
       add(tr("Withdrawal…"),
           SessionEvent::Withdrew,
           MessageTopic::Withdrawal,
@@ -114,7 +114,7 @@ QWidget* ControlPanel::makeButtons() {
           MessageTopic::DeviceFailure,
           &SessionController::giveUpOnDevice,
           tr("The device cannot go on: the session ends"))};
-  addGroup(*layout, tr("Ends the session"), {emergency_});
+  addGroup(*layout, tr("Ends the session"), {endingButtons_});
   constexpr int kTwoNotes = 76;  // [px]
   notes_->setMinimumHeight(kTwoNotes);
   layout->addWidget(notes_, 2);
@@ -127,7 +127,7 @@ QWidget* ControlPanel::makeButtons() {
 QHBoxLayout* ControlPanel::addGroup(
     QVBoxLayout& layout, const QString& title, const std::vector<std::vector<QPushButton*>>& rows) {
   auto* heading = quietLabel(title, this);
-  if (now_ == nullptr) now_ = heading;  // of the first group
+  if (nowHeading_ == nullptr) nowHeading_ = heading;  // of the first group
   layout.addWidget(heading);
   QHBoxLayout* line = nullptr;
   for (const auto& row : rows) {
@@ -156,7 +156,7 @@ void ControlPanel::connectButtons() {
   connect(countCut_, &QPushButton::clicked, this, [this] {
     if (controller_ != nullptr) controller_->countBenchmarkCut();
   });
-  connect(note_, &QLineEdit::returnPressed, this, &ControlPanel::keepNote);
+  connect(note_, &QLineEdit::returnPressed, this, &ControlPanel::saveNote);
   connect(handOver_, &QPushButton::clicked, this, &ControlPanel::handOverRequested);
   connect(consent_, &QPushButton::clicked, this, &ControlPanel::consentCopyRequested);
   connect(close_, &QPushButton::clicked, this, &ControlPanel::closeSessionRequested);
@@ -180,13 +180,13 @@ void ControlPanel::performWithReason(Perform action, MessageTopic topic) {
   if (controller_ == nullptr) return;
   controller_->stop();  // no force while the operator types a reason
   const auto& session = controller_->session();
-  topic = asAsked(topic, session);
+  topic = topicInState(topic, session);
   const auto reason = askForText(this, topic, argumentsOf(topic, session));
   if (reason && controller_ != nullptr) (controller_->*action)(*reason);
   keepFocusOffButtons();
 }
 
-void ControlPanel::keepNote() {
+void ControlPanel::saveNote() {
   if (controller_ == nullptr || note_->text().trimmed().isEmpty()) return;
   if (controller_->note(note_->text())) note_->clear();
   showNotes();
@@ -228,7 +228,7 @@ void ControlPanel::refresh() {
   const bool isOpen = controller_ != nullptr;
   const bool isRunning = isOpen && controller_->isTrialRunning();
   stop_->setEnabled(isRunning);
-  now_->setText(isRunning ? tr("Possible once this trial has ended:") : tr("Now"));
+  nowHeading_->setText(isRunning ? tr("Possible once this trial has ended:") : tr("Now"));
   for (const auto& choice : choices_) {
     // During a trial only stopping and withdrawing are possible.
     const bool isAllowed = isOpen && controller_->session().allows(choice.event);

@@ -57,10 +57,10 @@ class ControlPanel final : public QWidget {
   void connectButtons();
   void showParticipant();
   void performWithReason(Perform action, MessageTopic topic);
-  void keepNote();
+  void saveNote();
   void showNotes();
 
-  struct Choice {
+  struct SessionAction {
     QPushButton* button;
     SessionEvent event;
     QString help;
@@ -69,7 +69,7 @@ class ControlPanel final : public QWidget {
   SessionController* controller_ = nullptr;
   QLabel* participantLabel_;
   QLabel* cohort_;
-  QLabel* now_ = nullptr;  ///< the heading of what can be done now
+  QLabel* nowHeading_ = nullptr;  ///< the heading of what can be done now
   QPushButton* stop_;
   QPushButton* pause_ = nullptr;
   QPushButton* resume_;
@@ -80,8 +80,8 @@ class ControlPanel final : public QWidget {
   QPushButton* close_;
   QLineEdit* note_;
   QListWidget* notes_;
-  std::vector<Choice> choices_;
-  std::vector<QPushButton*> emergency_;  ///< end the session
+  std::vector<SessionAction> choices_;
+  std::vector<QPushButton*> endingButtons_;  ///< end the session
 };
 
 }  // namespace study::gui

@@ -12,7 +12,7 @@ namespace study::gui {
 namespace {
 
 using haptics::devices::Finding;
-using Found = std::vector<FindingsDialog::Found>;
+using PartFindings = std::vector<FindingsDialog::PartFindings>;
 
 /// The state of a device in the operator's words. Lifecycle::Closed is not called "closed", because
 /// a punch also has jaws that close.
@@ -103,12 +103,12 @@ bool DevicePanel::confirmDevicesReady() {
   return question.exec() == QDialog::Accepted;
 }
 
-Found DevicePanel::checkDevices() {
+PartFindings DevicePanel::checkDevices() {
   timer_.stop();  // the worker owns the device set until it is done
-  Found found;
+  PartFindings found;
   const auto checkAll = [&](const Progress& progress) {
     for (const auto& need : protocol_.devices) {
-      tell(progress, kUnknownShare, said("listening to {}", need.id));
+      announceProgress(progress, kUnknownShare, said("listening to {}", need.id));
       auto* device = deviceSet_->find(need.id);
       if (device == nullptr) {
         found.push_back(

@@ -45,7 +45,7 @@ class DevicePanel final : public QWidget {
  private:
   void refresh();
   /// Measures for a few seconds. The window is repainted meanwhile but ignores clicks.
-  std::vector<FindingsDialog::Found> checkDevices();
+  std::vector<FindingsDialog::PartFindings> checkDevices();
 
   const protocols::Protocol& protocol_;
   HardwareDeviceSet* deviceSet_;  ///< nullptr: virtual devices

@@ -16,7 +16,10 @@ namespace study::gui {
 using haptics::devices::Finding;
 
 FindingsDialog::FindingsDialog(
-    const std::vector<Found>& found, Question asks, const CheckAgain& checkAgain, QWidget* parent)
+    const std::vector<PartFindings>& found,
+    Question asks,
+    const CheckAgain& checkAgain,
+    QWidget* parent)
     : QDialog(parent), table_(new FindingsTable(this)), start_(new QPushButton(this)) {
   const bool isQuestion = asks == Question::StartDespiteFailures;
   setWindowTitle(isQuestion ? tr("Before the session") : tr("Devices"));
@@ -54,7 +57,7 @@ FindingsDialog::FindingsDialog(
   show(found);
 }
 
-void FindingsDialog::show(const std::vector<Found>& found) {
+void FindingsDialog::show(const std::vector<PartFindings>& found) {
   std::vector<FindingLine> lines;
   for (const auto& part : found) {
     for (const auto& result : part.results) lines.push_back({part.part, result});
@@ -75,8 +78,8 @@ void FindingsDialog::show(const std::vector<Found>& found) {
   start_->setText(isBad ? tr("Start anyway") : tr("Start"));
 }
 
-bool FindingsDialog::hasFailed(const std::vector<Found>& found) {
-  return std::any_of(found.begin(), found.end(), [](const Found& part) {
+bool FindingsDialog::hasFailed(const std::vector<PartFindings>& found) {
+  return std::any_of(found.begin(), found.end(), [](const PartFindings& part) {
     return std::any_of(part.results.begin(), part.results.end(), [](const auto& result) {
       return result.finding == Finding::Fail;
     });

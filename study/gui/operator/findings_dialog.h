@@ -19,7 +19,7 @@ class FindingsDialog final : public QDialog {
 
  public:
   /// The findings about one device, or about the texts.
-  struct Found {
+  struct PartFindings {
     std::string part;
     std::vector<haptics::devices::CheckResult> results;
   };
@@ -28,18 +28,18 @@ class FindingsDialog final : public QDialog {
   enum class Question { Nothing, StartDespiteFailures };
 
   /// Called by the button *Check again*; empty: there is no such button.
-  using CheckAgain = std::function<std::vector<Found>()>;
+  using CheckAgain = std::function<std::vector<PartFindings>()>;
 
   FindingsDialog(
-      const std::vector<Found>& found,
+      const std::vector<PartFindings>& found,
       Question asks,
       const CheckAgain& checkAgain,
       QWidget* parent);
 
-  static bool hasFailed(const std::vector<Found>& found);
+  static bool hasFailed(const std::vector<PartFindings>& found);
 
  private:
-  void show(const std::vector<Found>& found);
+  void show(const std::vector<PartFindings>& found);
   using QDialog::show;
 
   QLabel* verdict_;

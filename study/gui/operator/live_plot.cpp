@@ -49,7 +49,7 @@ LivePlot::LivePlot(QWidget* parent, Arrangement arrangement)
   begin(*haptics::deviceKinds().front(), 1000.0);
 }
 
-/// Moves the travel into a place of its own below the force, as wide as that.
+/// Moves the travel to axes of its own below those of the force, with the same width.
 void LivePlot::stack() {
   auto* below = new QCPAxisRect(plot_);
   auto* margins = new QCPMarginGroup(plot_);
@@ -111,7 +111,7 @@ void LivePlot::begin(const haptics::devices::DeviceKind& device, double rate) {
   slices_ = {};
   period_ = 1.0 / rate;
   slice_ = 0;
-  last_ = 0.0;
+  lastTime_ = 0.0;
   showTime(0.0, kFirst);
   // The range of a normal hand movement. Larger values extend the axis.
   auto* speed = plot_->graph(2)->valueAxis();
@@ -140,7 +140,7 @@ void LivePlot::add(const haptics::engine::TickSample& sample) {
   slices_[1].add(time, scale_ * sample.travel);
   slices_[2].add(time, scale_ * sample.velocity);
   slices_[3].add(time, sample.torque);
-  last_ = time;
+  lastTime_ = time;
 }
 
 void LivePlot::endSlice() {
@@ -170,10 +170,10 @@ std::vector<QPointF> LivePlot::channel(int index) const {
 
 void LivePlot::refresh() {
   for (int i = 0; i < plot_->graphCount(); ++i) {
-    plot_->graph(i)->data()->removeBefore(last_ - kShown);
+    plot_->graph(i)->data()->removeBefore(lastTime_ - kShown);
     plot_->graph(i)->rescaleValueAxis(true);
   }
-  showTime(std::max(0.0, last_ - kShown), std::max(kFirst, last_));
+  showTime(std::max(0.0, lastTime_ - kShown), std::max(kFirst, lastTime_));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -69,7 +69,7 @@ class LivePlot final : public QWidget {
   std::array<Slice, 4> slices_;
   double period_ = 0.001;   ///< [s]
   std::int64_t slice_ = 0;  ///< index, counted from the start
-  double last_ = 0.0;       ///< [s]
+  double lastTime_ = 0.0;   ///< [s]
 };
 
 }  // namespace study::gui

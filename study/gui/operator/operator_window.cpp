@@ -74,7 +74,7 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
 void OperatorWindow::makeContents() {
   language_ = deskLanguage();
   pages_ = new QStackedWidget(this);
-  middle_ = new QStackedWidget(this);
+  sessionPages_ = new QStackedWidget(this);
   sessions_ = new SessionsPage(study_, push_, this);
   controls_ = new ControlPanel(this);
   trial_ = new TrialPanel(this);
@@ -92,7 +92,7 @@ void OperatorWindow::makeContents() {
   layout->addWidget(head_);
   pages_->addWidget(sessions_);
   pages_->addWidget(makeSession());
-  for (auto* stack : {pages_, middle_}) {
+  for (auto* stack : {pages_, sessionPages_}) {
     connect(
         stack, &QStackedWidget::currentChanged, this, [stack] { giveRoomToCurrentPage(*stack); });
     giveRoomToCurrentPage(*stack);
@@ -150,10 +150,10 @@ QWidget* OperatorWindow::makeSession() {
   columns_->setContentsMargins(0, 0, 0, 0);
   columns_->setSpacing(20);
   columns_->addWidget(controls_);
-  middle_->addWidget(trial_);
+  sessionPages_->addWidget(trial_);
   auto* scroll = new QScrollArea(page);
   scroll->setWidgetResizable(true);
-  scroll->setWidget(middle_);
+  scroll->setWidget(sessionPages_);
   scroll->setFocusPolicy(Qt::NoFocus);
   columns_->addWidget(scroll, 1);
   return page;
@@ -178,7 +178,7 @@ void OperatorWindow::arrange() {
   controls_->setMinimumWidth(isWide ? kControlsWidth : 0);
   controls_->setMaximumWidth(isWide ? kControlsWidth : QWIDGETSIZE_MAX);
   controls_->setMinimumHeight(isWide ? 0 : kHeightOfEach);
-  middle_->parentWidget()->parentWidget()->setMinimumHeight(isWide ? 0 : kHeightOfEach);
+  sessionPages_->parentWidget()->parentWidget()->setMinimumHeight(isWide ? 0 : kHeightOfEach);
 }
 
 void OperatorWindow::connectPanels() {
@@ -345,7 +345,7 @@ void OperatorWindow::updateAll() {
 void OperatorWindow::removeInterview() {
   if (interview_ == nullptr) return;
   if (interview_->isAncestorOf(focusWidget())) setFocus();  // otherwise a button would take it
-  middle_->removeWidget(interview_);
+  sessionPages_->removeWidget(interview_);
   interview_->deleteLater();
   interview_ = nullptr;
 }
@@ -370,8 +370,8 @@ void OperatorWindow::showInterview() {
       interview_, &QuestionnairePage::retracted, controller_.get(), &SessionController::retract);
   connect(
       controller_.get(), &SessionController::notSaved, interview_, &QuestionnairePage::markUnsaved);
-  middle_->addWidget(interview_);
-  middle_->setCurrentWidget(interview_);
+  sessionPages_->addWidget(interview_);
+  sessionPages_->setCurrentWidget(interview_);
   interview_->setFocus();  // otherwise a button would get the focus
 }
 

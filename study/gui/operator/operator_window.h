@@ -100,10 +100,10 @@ class OperatorWindow final : public QMainWindow {
   QBoxLayout* columns_ = nullptr;  ///< of the page during a session
   QWidget* head_ = nullptr;
   StationPush push_;
-  std::string language_;              ///< of the present contents
-  QMenu* languages_ = nullptr;        ///< to choose from, between sessions
-  QStackedWidget* pages_ = nullptr;   ///< between sessions, and during a session
-  QStackedWidget* middle_ = nullptr;  ///< during a session: the trial, or the interview
+  std::string language_;                    ///< of the present contents
+  QMenu* languages_ = nullptr;              ///< to choose from, between sessions
+  QStackedWidget* pages_ = nullptr;         ///< between sessions, and during a session
+  QStackedWidget* sessionPages_ = nullptr;  ///< during a session: the trial, or the interview
   QuestionnairePage* interview_ = nullptr;
   SessionsPage* sessions_ = nullptr;
   ControlPanel* controls_ = nullptr;

@@ -7,7 +7,7 @@
 namespace study::gui {
 namespace {
 
-constexpr int kPictureEvery = 1000;  // [ms]
+constexpr int kPictureInterval = 1000;  // [ms]
 
 }  // namespace
 
@@ -46,7 +46,7 @@ void PageMirror::refreshPicture() {
 
 void PageMirror::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  timer_.start(kPictureEvery);
+  timer_.start(kPictureInterval);
   refreshPicture();
 }
 

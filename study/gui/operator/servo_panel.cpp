@@ -58,18 +58,18 @@ class ServoPanel::Bars final : public QWidget {
 
 ServoPanel::ServoPanel(QWidget* parent)
     : QWidget(parent),
-      light_(new QLabel(this)),
+      timingLabel_(new QLabel(this)),
       details_(new QPushButton(tr("Details"), this)),
       more_(new QWidget(this)),
       words_(quietLabel({}, this)),
       bars_(new Bars(health_, this)) {
-  light_->setObjectName(QStringLiteral("timing"));
-  light_->setWordWrap(true);  // the operator's window is narrow beside a participant's
+  timingLabel_->setObjectName(QStringLiteral("timing"));
+  timingLabel_->setWordWrap(true);  // the operator's window is narrow beside a participant's
   details_->setObjectName(QStringLiteral("timing-details"));
   details_->setProperty("role", QStringLiteral("tool"));
   details_->setCheckable(true);
   auto* head = new QHBoxLayout;
-  head->addWidget(light_, 1);
+  head->addWidget(timingLabel_, 1);
   head->addWidget(details_);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
@@ -138,17 +138,17 @@ void ServoPanel::showTimingStatus() {
   const auto ticks = static_cast<std::int64_t>(health_.ticks());
   const auto late = static_cast<std::int64_t>(health_.bars().back());
   if (ticks == 0) {
-    setRole(*light_, "quiet");
-    return light_->setText(tr("No trial is running."));
+    setRole(*timingLabel_, "quiet");
+    return timingLabel_->setText(tr("No trial is running."));
   }
   const auto saturated = health_.saturatedTicks();
   const auto leaps = health_.leaps();
   QString words;
   if (isOftenLate(late, ticks) || health_.invalidShare() > kMostInvalid) {
-    setRole(*light_, "bad");
+    setRole(*timingLabel_, "bad");
     words = tr("✖ Timing: poor (%1 of %2 force updates late)").arg(late).arg(ticks);
   } else {
-    setRole(*light_, saturated > 0 || leaps > 0 ? "warn" : "good");
+    setRole(*timingLabel_, saturated > 0 || leaps > 0 ? "warn" : "good");
     words = late > 0 ? tr("● Timing: good (%1 of %2 force updates late)").arg(late).arg(ticks)
                      : tr("● Timing: good (none of %1 force updates late)").arg(ticks);
   }
@@ -159,7 +159,7 @@ void ServoPanel::showTimingStatus() {
     words += QStringLiteral(" · ") +
              tr("leaps of the position: %1, check the encoder's cable").arg(leaps);
   }
-  light_->setText(words);
+  timingLabel_->setText(words);
 }
 
 }  // namespace study::gui

@@ -40,7 +40,7 @@ class ServoPanel final : public QWidget {
   double rate_ = 0.0;  ///< over the last second [Hz]
   QElapsedTimer sinceRate_;
   bool isRealtime_ = false;
-  QLabel* light_;
+  QLabel* timingLabel_;
   QPushButton* details_;
   QWidget* more_;  ///< the details
   QLabel* words_;

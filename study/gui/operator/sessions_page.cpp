@@ -96,8 +96,8 @@ QWidget* SessionsPage::makeList() {
   auto* layout = new QVBoxLayout(list);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(sectionHeading(tr("Sessions"), list));
-  constexpr int kAllThereIs = 1000;  // the table takes what its rows need, and the rest is empty
-  layout->addWidget(table_, kAllThereIs);
+  constexpr int kTableStretch = 1000;  // the table takes what its rows need, and the rest is empty
+  layout->addWidget(table_, kTableStretch);
   layout->addWidget(details_);
   actions_->addWidget(resume_);
   const auto add = [&](const QString& words, SessionEvent event, MessageTopic topic, End end) {
@@ -241,7 +241,7 @@ void SessionsPage::refresh() {
     showPush();
   });
   fitColumns();
-  // What is to be done first: the latest session that is not finished.
+  // Selects the latest unfinished session, because it should be continued first.
   for (int row = table_->rowCount() - 1; row >= 0 && selectedUnfinished() == nullptr; --row) {
     table_->selectRow(row);
   }

@@ -12,7 +12,7 @@
 namespace study::gui {
 namespace {
 
-constexpr std::int64_t kEvery = 4;  // of a thousand samples a second, 250 are drawn
+constexpr std::int64_t kSamplesPerPoint = 4;  // of a thousand samples a second, 250 are drawn
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void TravelPlot::begin(const haptics::devices::DeviceKind& device) {
   plot_->clearPlottables();
   curves_.clear();
   detector_ = haptics::engine::CutDetector(device.stroke);
-  taken_ = 0;
+  sampleCount_ = 0;
   const auto travel = travelScaleOf(device);
   scale_ = travel.factor;
   plot_->xAxis->setLabel(tr("travel [%1]").arg(travel.unit));
@@ -72,7 +72,8 @@ void TravelPlot::add(const haptics::engine::TickSample& sample) {
   const bool isSettling = (sample.marks & TickSample::SoftStart) != 0;
   const bool isOver =
       detector_.feed(sample.travel, sample.force, isSettling) == Event::CutCompleted;
-  if (taken_++ % kEvery == 0) curves_.back()->addData(scale_ * sample.travel, sample.force);
+  if (sampleCount_++ % kSamplesPerPoint == 0)
+    curves_.back()->addData(scale_ * sample.travel, sample.force);
   if (isOver) beginStroke();
 }
 

@@ -45,8 +45,8 @@ class TravelPlot final : public QWidget {
   QCustomPlot* plot_;
   std::vector<QCPCurve*> curves_;  ///< the oldest first
   haptics::engine::CutDetector detector_;
-  double scale_ = 1.0;      ///< factor for travel
-  std::int64_t taken_ = 0;  ///< number of samples received; every kEvery-th is drawn
+  double scale_ = 1.0;            ///< factor for travel
+  std::int64_t sampleCount_ = 0;  ///< number of samples received; every kEvery-th is drawn
 };
 
 }  // namespace study::gui

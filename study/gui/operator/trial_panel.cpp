@@ -55,8 +55,8 @@ TrialPanel::TrialPanel(QWidget* parent)
   steps_->setMinimumHeight(kFiveSteps);
   // These take all free space and ignore their size hints, which are too large for a low
   // screen.
-  const std::array<QWidget*, 4> yielding{steps_, plot_, travel_, cuts_};
-  for (auto* widget : yielding) {
+  const std::array<QWidget*, 4> flexibleWidgets{steps_, plot_, travel_, cuts_};
+  for (auto* widget : flexibleWidgets) {
     widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   }
 

@@ -35,9 +35,9 @@ class BoneColoursPainter::Bone {
 
   const QImage& draw(const Request& request, double seconds) {
     if (request.colours != colours_) {
-      const Changes past = hip_->spheres()->changesSoFar();
+      const Changes pastChanges = hip_->spheres()->changesSoFar();
       make(request.colours);
-      for (const auto& change : past) hip_->apply(change);
+      for (const auto& change : pastChanges) hip_->apply(change);
     }
     for (const auto& change : request.changes) hip_->apply(change);
     hip_->update({.travel = request.depth, .isRunning = request.isRunning}, seconds);
@@ -57,9 +57,9 @@ class BoneColoursPainter::Bone {
 };
 
 BoneColoursPainter::BoneColoursPainter(
-    const haptics::engine::PackingSpec& spec, Changes past, QObject* parent)
+    const haptics::engine::PackingSpec& spec, Changes pastChanges, QObject* parent)
     : QObject(parent), spec_(spec) {
-  next_.changes = std::move(past);
+  next_.changes = std::move(pastChanges);
   thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 

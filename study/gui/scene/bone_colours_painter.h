@@ -29,9 +29,9 @@ class BoneColoursPainter final : public QObject {
  public:
   using Changes = std::vector<haptics::engine::SphereChange>;
 
-  /// @param past  the changes of the bone so far.
+  /// @param pastChanges  the changes of the bone so far.
   BoneColoursPainter(
-      const haptics::engine::PackingSpec& spec, Changes past, QObject* parent = nullptr);
+      const haptics::engine::PackingSpec& spec, Changes pastChanges, QObject* parent = nullptr);
   ~BoneColoursPainter() override;
 
   void choose(SphereColours colours) { next_.colours = colours; }

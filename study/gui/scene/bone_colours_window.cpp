@@ -45,7 +45,7 @@ BoneColoursWindow::BoneColoursWindow(
 
   BoneColoursPainter::Changes past;
   if (trial_) {
-    followed_ = trial_().seen;
+    followed_ = trial_().participantView;
     if (followed_ != nullptr && followed_->spheres() != nullptr)
       past = followed_->spheres()->changesSoFar();
   }
@@ -69,7 +69,7 @@ BoneColoursWindow::BoneColoursWindow(
 }
 
 BoneColoursWindow::~BoneColoursWindow() {
-  if (followed_ != nullptr && trial_().seen == followed_) followed_->setListener({});
+  if (followed_ != nullptr && trial_().participantView == followed_) followed_->setListener({});
 }
 
 void BoneColoursWindow::removeColours(SphereColours colours) {
@@ -97,12 +97,12 @@ void BoneColoursWindow::choose(int index) {
 void BoneColoursWindow::updatePicture() {
   if (!trial_) return painter_->submit(kOutside, false);
   const FollowedTrial now = trial_();
-  if (now.seen == nullptr || now.seen != followed_) {
+  if (now.participantView == nullptr || now.participantView != followed_) {
     followed_ = nullptr;
     close();
     return;
   }
-  painter_->submit(now.seen->depth(), now.isRunning);
+  painter_->submit(now.participantView->depth(), now.isRunning);
 }
 
 void BoneColoursWindow::showPicture(const QImage& picture) {

@@ -23,7 +23,7 @@ class BoneColoursWindow final : public QWidget {
  public:
   /// The state of the trial that the window follows.
   struct FollowedTrial {
-    HipScene* seen = nullptr;  ///< the participant's view; nullptr: the trial is over
+    HipScene* participantView = nullptr;  ///< the participant's view; nullptr: the trial is over
     bool isRunning = false;
   };
   using Trial = std::function<FollowedTrial()>;

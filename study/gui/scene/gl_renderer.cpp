@@ -21,7 +21,7 @@ QSurfaceFormat wantedFormat() {
   return format;
 }
 
-bool isProcessors(const QString& renderer) {
+bool isProcessorRenderer(const QString& renderer) {
   for (const char* name : {"llvmpipe", "softpipe", "swrast", "Software", "SWR"}) {
     if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive)) return true;
   }
@@ -59,9 +59,9 @@ GlRenderer::GlRenderer(Detail detail) {
   }
   gl_.initializeOpenGLFunctions();
   name_ = QString::fromUtf8(reinterpret_cast<const char*>(gl_.glGetString(GL_RENDERER)));
-  isOnProcessor_ = isProcessors(name_);
-  isFine_ = detail == Detail::FullDetail || !isOnProcessor_;
-  samples_ = isFine_ ? kSamples : 0;
+  isOnProcessor_ = isProcessorRenderer(name_);
+  isFullDetail_ = detail == Detail::FullDetail || !isOnProcessor_;
+  samples_ = isFullDetail_ ? kSamples : 0;
   makePrograms();
 }
 
@@ -72,31 +72,31 @@ GlRenderer::~GlRenderer() {
     gl_.glDeleteBuffers(1, &body.vertices);
     gl_.glDeleteBuffers(1, &body.triangles);
   }
-  gl_.glDeleteVertexArrays(1, &ballArray_);
-  gl_.glDeleteBuffers(1, &ballBuffer_);
-  freeCanvas(drawn_);
-  freeCanvas(read_);
-  bodies_.reset();
-  balls_.reset();
+  gl_.glDeleteVertexArrays(1, &sphereArray_);
+  gl_.glDeleteBuffers(1, &sphereBuffer_);
+  freeCanvas(drawCanvas_);
+  freeCanvas(readCanvas_);
+  bodyProgram_.reset();
+  sphereProgram_.reset();
   context_.doneCurrent();
 }
 
 void GlRenderer::makePrograms() {
   const QByteArray shading =
-      QByteArray(isFine_ ? kPerPixelShading : kPerVertexShading) + kShadingCode;
-  bodies_.emplace(gl_, shading + kBodyVertexCode, shading + kBodyFragmentCode);
-  balls_.emplace(gl_, shading + kSphereVertexCode, shading + kSphereFragmentCode);
-  gl_.glGenVertexArrays(1, &ballArray_);
-  gl_.glGenBuffers(1, &ballBuffer_);
-  gl_.glBindVertexArray(ballArray_);
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, ballBuffer_);
+      QByteArray(isFullDetail_ ? kPerPixelShading : kPerVertexShading) + kShadingCode;
+  bodyProgram_.emplace(gl_, shading + kBodyVertexCode, shading + kBodyFragmentCode);
+  sphereProgram_.emplace(gl_, shading + kSphereVertexCode, shading + kSphereFragmentCode);
+  gl_.glGenVertexArrays(1, &sphereArray_);
+  gl_.glGenBuffers(1, &sphereBuffer_);
+  gl_.glBindVertexArray(sphereArray_);
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, sphereBuffer_);
   constexpr GLsizei kStride = sizeof(SphereInstance);
   gl_.glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, kStride, offset(0));
   gl_.glVertexAttribPointer(
       1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, offset(offsetof(SphereInstance, tint)));
   for (const GLuint i : {0U, 1U}) {
     gl_.glEnableVertexAttribArray(i);
-    if (isFine_) gl_.glVertexAttribDivisor(i, 1);
+    if (isFullDetail_) gl_.glVertexAttribDivisor(i, 1);
   }
 }
 
@@ -156,12 +156,15 @@ void GlRenderer::upload(Body& body, const Part& part) {
 }
 
 void GlRenderer::uploadSpheres(SphereCloud& spheres) {
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, ballBuffer_);
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, sphereBuffer_);
   const std::size_t needed = spheres.instances().size();
-  if (needed > ballRoom_) {
-    ballRoom_ = needed + needed / 2;
+  if (needed > sphereCapacity_) {
+    sphereCapacity_ = needed + needed / 2;
     gl_.glBufferData(
-        GL_ARRAY_BUFFER, bytesOf(ballRoom_, sizeof(SphereInstance)), nullptr, GL_DYNAMIC_DRAW);
+        GL_ARRAY_BUFFER,
+        bytesOf(sphereCapacity_, sizeof(SphereInstance)),
+        nullptr,
+        GL_DYNAMIC_DRAW);
     spheres.forgetUploads();  // the new buffer is empty
   }
   sphereBytes_ +=
@@ -178,15 +181,15 @@ const QImage& GlRenderer::draw(const Scene& scene, QSize size) {
   context_.makeCurrent(&surface_);
   if (picture_.size() != size) {
     picture_ = QImage(size, QImage::Format_RGB32);
-    makeCanvas(drawn_, size, samples_);
-    if (samples_ > 0) makeCanvas(read_, size, 0);
+    makeCanvas(drawCanvas_, size, samples_);
+    if (samples_ > 0) makeCanvas(readCanvas_, size, 0);
   }
   parts_.resize(scene.parts.size());
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     if (scene.parts[i].isShown) upload(parts_[i], scene.parts[i]);
   }
   if (scene.spheres != nullptr) uploadSpheres(*scene.spheres);
-  gl_.glBindFramebuffer(GL_FRAMEBUFFER, drawn_.frame);
+  gl_.glBindFramebuffer(GL_FRAMEBUFFER, drawCanvas_.frame);
   gl_.glDisable(GL_SCISSOR_TEST);
   const QVector3D ground = colourOf(scene.ground);
   gl_.glClearColor(ground.x(), ground.y(), ground.z(), 1.0F);
@@ -208,16 +211,16 @@ void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
   gl_.glViewport(place.x(), place.y(), place.width(), place.height());
   gl_.glScissor(place.x(), place.y(), place.width(), place.height());
   gl_.glClear(GL_DEPTH_BUFFER_BIT);
-  bodies_->use();
-  setLight(*bodies_, shot, place);
+  bodyProgram_->use();
+  setLight(*bodyProgram_, shot, place);
   const auto shadows = inEyeFrame(scene.shadows, shot);
-  setShadows(*bodies_, shadows);
-  bodies_->set("ground", colourOf(scene.ground));
-  bodies_->set("projection", projection);
+  setShadows(*bodyProgram_, shadows);
+  bodyProgram_->set("ground", colourOf(scene.ground));
+  bodyProgram_->set("projection", projection);
   for (const auto i : shot.parts) {
     if (!scene.parts[i].isShown) continue;
-    bodies_->set("toEye", shot.view * scene.parts[i].pose);
-    setDepths(*bodies_, shadows, !scene.parts[i].isTool);
+    bodyProgram_->set("toEye", shot.view * scene.parts[i].pose);
+    setDepths(*bodyProgram_, shadows, !scene.parts[i].isTool);
     scene.parts[i].isTool ? gl_.glEnable(GL_CULL_FACE) : gl_.glDisable(GL_CULL_FACE);
     gl_.glBindVertexArray(parts_[i].array);
     gl_.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, parts_[i].triangles);
@@ -226,16 +229,16 @@ void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
   }
   if (!shot.showsSpheres || scene.spheres == nullptr) return;
   gl_.glDisable(GL_CULL_FACE);
-  balls_->use();
-  setLight(*balls_, shot, place);
-  setShadows(*balls_, shadows);
-  balls_->set("lampPlace", shot.light.place.normalized());
-  balls_->set("projection", projection);
-  balls_->set("toEye", shot.view);
-  balls_->set("pointScale", 0.5F * static_cast<float>(place.height()) * -projection(1, 1));
-  gl_.glBindVertexArray(ballArray_);
+  sphereProgram_->use();
+  setLight(*sphereProgram_, shot, place);
+  setShadows(*sphereProgram_, shadows);
+  sphereProgram_->set("lampPlace", shot.light.place.normalized());
+  sphereProgram_->set("projection", projection);
+  sphereProgram_->set("toEye", shot.view);
+  sphereProgram_->set("pointScale", 0.5F * static_cast<float>(place.height()) * -projection(1, 1));
+  gl_.glBindVertexArray(sphereArray_);
   const auto count = static_cast<GLsizei>(scene.spheres->instances().size());
-  if (isFine_) {
+  if (isFullDetail_) {
     gl_.glDrawArraysInstanced(GL_TRIANGLES, 0, 3, count);
   } else {
     gl_.glEnable(kPointSizes);
@@ -273,12 +276,12 @@ void GlRenderer::setDepths(GlProgram& program, const Shadows& shadows, bool areC
 void GlRenderer::readBack(QSize size) {
   gl_.glDisable(GL_SCISSOR_TEST);
   if (samples_ > 0) {
-    gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.frame);
-    gl_.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, read_.frame);
+    gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER, drawCanvas_.frame);
+    gl_.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, readCanvas_.frame);
     const int w = size.width();
     const int h = size.height();
     gl_.glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER, read_.frame);
+    gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER, readCanvas_.frame);
   }
   gl_.glReadPixels(0, 0, size.width(), size.height(), kBgra, kWholePixels, picture_.bits());
 }

@@ -64,16 +64,16 @@ class GlRenderer final : public Renderer {
   QOpenGLExtraFunctions gl_;
   QString name_;
   bool isOnProcessor_ = false;
-  bool isFine_ = true;
+  bool isFullDetail_ = true;
   int samples_ = 0;  ///< per pixel; 0: no multisampling
-  std::optional<GlProgram> bodies_;
-  std::optional<GlProgram> balls_;
-  Canvas drawn_;
-  Canvas read_;  ///< the target in which samples are resolved
+  std::optional<GlProgram> bodyProgram_;
+  std::optional<GlProgram> sphereProgram_;
+  Canvas drawCanvas_;
+  Canvas readCanvas_;  ///< the target in which samples are resolved
   std::vector<Body> parts_;
-  GLuint ballArray_ = 0;
-  GLuint ballBuffer_ = 0;
-  std::size_t ballRoom_ = 0;  ///< capacity of the buffer [instances]
+  GLuint sphereArray_ = 0;
+  GLuint sphereBuffer_ = 0;
+  std::size_t sphereCapacity_ = 0;  ///< capacity of the buffer [instances]
   std::uint64_t sphereBytes_ = 0;
   QImage picture_;
 };

@@ -68,7 +68,7 @@ void HipScene::addSpheres(const Options& options) {
   const haptics::reaming::SphereField field(
       spec.bone->packing, spec.bone->densities(spec.hardness, spec.forceScale));
   const auto plunge = haptics::reaming::plungePathInto(field, spec.bone->reamerRadius);
-  start_ = kPerMetre * static_cast<float>(plunge.start);
+  startZ_ = kPerMetre * static_cast<float>(plunge.start);
   spheres_ = std::make_unique<SphereCloud>(
       field, SphereCloud::Options{.eye = kEye, .isHalved = true, .colours = options.colours});
   scene_.spheres = spheres_.get();
@@ -79,7 +79,7 @@ void HipScene::addSpheres(const Options& options) {
 void HipScene::addUncutBone() {
   addPelvis(kPlainOuter - kOverlap);
   scene_.parts.push_back({.mesh = halfShell(kPlainInner, kPlainOuter)});
-  start_ = -std::sqrt(kPlainRadius * kPlainRadius - kPlainInner * kPlainInner);
+  startZ_ = -std::sqrt(kPlainRadius * kPlainRadius - kPlainInner * kPlainInner);
 }
 
 /// Adds the pelvis around a bone of radius @p radius [mm]: it shows that the bone goes on, and
@@ -136,11 +136,12 @@ void HipScene::update(const TrialSnapshot& snapshot, double seconds) {
     depth_ = snapshot.bone->depth();
   }
   if (snapshot.isRunning) {
-    spin_ = std::fmod(spin_ + 360.0F * kTurnsPerSecond * static_cast<float>(seconds), 360.0F);
+    spinAngle_ =
+        std::fmod(spinAngle_ + 360.0F * kTurnsPerSecond * static_cast<float>(seconds), 360.0F);
   }
   QMatrix4x4 pose;
-  pose.translate(0.0F, 0.0F, start_ + kPerMetre * static_cast<float>(depth_));
-  pose.rotate(spin_, 0.0F, 0.0F, 1.0F);
+  pose.translate(0.0F, 0.0F, startZ_ + kPerMetre * static_cast<float>(depth_));
+  pose.rotate(spinAngle_, 0.0F, 0.0F, 1.0F);
   scene_.shadows[0].from = pose.column(3).toVector3D();
   scene_.parts[Cap].pose = pose;
   scene_.parts[Shaft].pose = pose;

@@ -47,9 +47,9 @@ class HipScene final : public SimulatedScene {
   Scene scene_;
   std::unique_ptr<SphereCloud> spheres_;
   Listener listener_;
-  double depth_ = 0.0;  ///< of the reamer [m]
-  float start_ = 0.0F;  ///< z of the reamer's centre at a depth of 0 [mm]
-  float spin_ = 0.0F;   ///< [°]
+  double depth_ = 0.0;      ///< of the reamer [m]
+  float startZ_ = 0.0F;     ///< z of the reamer's centre at a depth of 0 [mm]
+  float spinAngle_ = 0.0F;  ///< [°]
 };
 
 }  // namespace study::gui::scene

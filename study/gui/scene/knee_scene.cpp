@@ -84,9 +84,9 @@ Mesh rimMark(float fieldOfView, float distance) {
 KneeScene::KneeScene(const protocols::Anatomy* own) : meniscus_(layout_) {
   const KneeSurfaces around = kneeSurfaces(layout_, own);
   Mesh glints = glintsOn(around, scopeView(), 0.5F * kScopeField);
-  add(seenWithin(around.tibia, scopeView(), 0.5F * kScopeField));
-  add(seenWithin(around.femur, scopeView(), 0.5F * kScopeField));
-  add(seenWithin(around.capsule, scopeView(), 0.5F * kScopeField));
+  add(visiblePart(around.tibia, scopeView(), 0.5F * kScopeField));
+  add(visiblePart(around.femur, scopeView(), 0.5F * kScopeField));
+  add(visiblePart(around.capsule, scopeView(), 0.5F * kScopeField));
   add(meniscus_.body());
   add({});
   const QMatrix4x4 punch = punchPose(layout_);
@@ -196,7 +196,7 @@ void KneeScene::updateCut(const TrialSnapshot& snapshot) {
   const bool isThrough = snapshot.isCutThrough || snapshot.travel > kSurelyCutTravel;
   if (!isCut_ && snapshot.travel > kReopenedTravel && isThrough) {
     isCut_ = true;
-    released_ = 0.0;
+    timeSinceRelease_ = 0.0;
     meniscus_.cut();
   } else if (isCut_ && snapshot.travel < kReopenedTravel) {
     isCut_ = false;
@@ -208,16 +208,16 @@ void KneeScene::updateCut(const TrialSnapshot& snapshot) {
 /// bite.
 void KneeScene::movePiece(double seconds) {
   if (!isCut_ && meniscus_.hasPiece()) {
-    released_ += seconds;
-    if (released_ > kPieceFloatTime) meniscus_.removePiece();
+    timeSinceRelease_ += seconds;
+    if (timeSinceRelease_ > kPieceFloatTime) meniscus_.removePiece();
   }
   if (remainingShift_ > 0.0F && !meniscus_.hasPiece()) {
     const float step = std::min(remainingShift_, kTissueTurnSpeed * static_cast<float>(seconds));
     meniscus_.moveOn(step);
     remainingShift_ -= step;
   }
-  const auto share = static_cast<float>(released_ / kPieceFloatTime);
-  QVector3D middle = onArc(layout_, layout_.toolAngle, layout_.innerRadius + 1.6F);
+  const auto share = static_cast<float>(timeSinceRelease_ / kPieceFloatTime);
+  QVector3D middle = pointOnArc(layout_, layout_.toolAngle, layout_.innerRadius + 1.6F);
   middle.setY(1.4F);
   const QVector3D inwards = (layout_.arcCentre - middle).normalized();
   auto& pose = scene_.parts[Piece].pose;

@@ -49,9 +49,9 @@ class KneeScene final : public SimulatedScene {
   KneeLayout layout_;
   Scene scene_;
   Meniscus meniscus_;
-  bool isCut_ = false;           ///< since the hand last opened
-  double released_ = 0.0;        ///< since the piece was released [s]
-  float remainingShift_ = 0.0F;  ///< angle by which the tissue still moves under the punch [°]
+  bool isCut_ = false;             ///< since the hand last opened
+  double timeSinceRelease_ = 0.0;  ///< since the piece was released [s]
+  float remainingShift_ = 0.0F;    ///< angle by which the tissue still moves under the punch [°]
 };
 
 }  // namespace study::gui::scene

@@ -12,7 +12,7 @@ namespace study::gui::scene {
 
 namespace {
 
-RendererWithRemark onProcessor(const QString& why) {
+RendererWithRemark softwareRenderer(const QString& why) {
   return {
       std::make_unique<SoftwareRenderer>(),
       deskText(
@@ -26,12 +26,12 @@ RendererWithRemark onProcessor(const QString& why) {
 
 RendererWithRemark makeRenderer(RendererChoice choice) {
   if (choice == RendererChoice::Software) {
-    return onProcessor(deskText("that was asked for"));
+    return softwareRenderer(deskText("that was asked for"));
   }
   const QString platform = QGuiApplication::platformName();
   if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal") ||
       platform == QLatin1String("vnc") || platform == QLatin1String("linuxfb")) {
-    return onProcessor(deskText("this display has no OpenGL"));
+    return softwareRenderer(deskText("this display has no OpenGL"));
   }
   try {
     const bool isFinest = choice == RendererChoice::FullDetail;
@@ -48,7 +48,7 @@ RendererWithRemark makeRenderer(RendererChoice choice) {
     }
     return graphics;
   } catch (const std::exception& error) {
-    return onProcessor(QString::fromUtf8(error.what()));
+    return softwareRenderer(QString::fromUtf8(error.what()));
   }
 }
 

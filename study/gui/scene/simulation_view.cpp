@@ -27,11 +27,11 @@ SimulationView::SimulationView(
   setFocusPolicy(Qt::NoFocus);
   setMinimumSize(320, 200);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  next_.setSingleShot(true);
-  next_.setTimerType(Qt::PreciseTimer);
-  connect(&next_, &QTimer::timeout, this, &SimulationView::drawNext);
+  frameTimer_.setSingleShot(true);
+  frameTimer_.setTimerType(Qt::PreciseTimer);
+  connect(&frameTimer_, &QTimer::timeout, this, &SimulationView::drawNext);
   beginCounting();
-  next_.start(0);
+  frameTimer_.start(0);
 }
 
 void SimulationView::beginCounting() {
@@ -68,7 +68,7 @@ void SimulationView::drawNext() {
   if (isVisible()) {
     update();
   } else {
-    next_.start(static_cast<int>(period() / timing::kMillisecond));
+    frameTimer_.start(static_cast<int>(period() / timing::kMillisecond));
   }
 }
 
@@ -84,18 +84,18 @@ void SimulationView::paintEvent(QPaintEvent* /*event*/) {
   const QImage& picture = graphics_.renderer->draw(scene_->scene(), pictureSize());
   QPainter painter(this);
   painter.drawImage(rect(), picture);
-  painted_ = snapshot;
+  paintedState_ = snapshot;
   // The window shows its contents when this event has been handled. The frame counts as shown then.
   QTimer::singleShot(0, this, &SimulationView::noteShown);
 }
 
 void SimulationView::noteShown() {
-  if (!painted_) return;
+  if (!paintedState_) return;
   const std::int64_t now = timing::now();
-  if (painted_->isRunning) statistics_->add(now, painted_->sampleTime);
-  painted_.reset();
+  if (paintedState_->isRunning) statistics_->add(now, paintedState_->sampleTime);
+  paintedState_.reset();
   const std::int64_t wait = pace_ == Pace::Unbound ? 0 : due_ - now;
-  next_.start(static_cast<int>(std::max<std::int64_t>(0, wait) / timing::kMillisecond));
+  frameTimer_.start(static_cast<int>(std::max<std::int64_t>(0, wait) / timing::kMillisecond));
 }
 
 }  // namespace study::gui::scene

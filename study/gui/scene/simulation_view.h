@@ -65,11 +65,12 @@ class SimulationView final : public QWidget {
   RendererWithRemark graphics_;
   Pace pace_;
   std::function<TrialSnapshot()> snapshotSource_;
-  QTimer next_;
+  QTimer frameTimer_;
   QElapsedTimer sinceLast_;
   std::optional<FrameStatistics> statistics_;
-  std::int64_t due_ = 0;                  ///< time of the next picture [ns on CLOCK_MONOTONIC]
-  std::optional<TrialSnapshot> painted_;  ///< state in the picture that is not on the display yet
+  std::int64_t due_ = 0;  ///< time of the next picture [ns on CLOCK_MONOTONIC]
+  std::optional<TrialSnapshot>
+      paintedState_;  ///< state in the picture that is not on the display yet
   std::int64_t lostChanges_ = 0;
   bool wasRunning_ = false;
 };

@@ -103,7 +103,7 @@ struct Channel {
 };
 
 /// Converts linear light to a channel of the screen, 0 to 255.
-float shown(float light) {
+float screenValue(float light) {
   return 255.0F * std::sqrt(std::min(light, 1.0F));
 }
 
@@ -168,9 +168,9 @@ void SoftwareRenderer::light(
   auto bright =
       brightnessOf(frame.shot->light, corner.eye, normal, static_cast<float>(tint.gloss) / 255.0F);
   if (!isTool) bright.diffuse *= lightAfterShadows(frame.shadows, corner.eye);
-  corner.red = shown(linear(tint.red) * bright.diffuse + bright.shine);
-  corner.green = shown(linear(tint.green) * bright.diffuse + bright.shine);
-  corner.blue = shown(linear(tint.blue) * bright.diffuse + bright.shine);
+  corner.red = screenValue(linear(tint.red) * bright.diffuse + bright.shine);
+  corner.green = screenValue(linear(tint.green) * bright.diffuse + bright.shine);
+  corner.blue = screenValue(linear(tint.blue) * bright.diffuse + bright.shine);
 }
 
 void SoftwareRenderer::project(const Frame& frame, Corner& corner) const {
@@ -312,7 +312,8 @@ void SoftwareRenderer::drawSphere(
           0.0F, 0.45F * (nx * toLamp.x() + ny * toLamp.y()) + (0.55F + 0.45F * nz) * toLamp.z());
       // Little light reaches the gaps between spheres.
       const float bright = (0.7F + 0.3F * nz) * (ambient * (1.0F + 0.5F * ny) + power * facing);
-      row[x] = asPixel(shown(red * bright), shown(green * bright), shown(blue * bright));
+      row[x] = asPixel(
+          screenValue(red * bright), screenValue(green * bright), screenValue(blue * bright));
     }
   }
 }
@@ -326,7 +327,7 @@ int brightness(QRgb pixel) {
 
 /// Adds @p weight times the picture's colour at (x, y), interpolated linearly, to @p sum. Pixel
 /// centres have whole coordinates.
-void addBetween(const QImage& picture, float x, float y, float weight, float (&sum)[3]) {
+void addInterpolated(const QImage& picture, float x, float y, float weight, float (&sum)[3]) {
   const int left = std::clamp(static_cast<int>(x), 0, picture.width() - 2);
   const int top = std::clamp(static_cast<int>(y), 0, picture.height() - 2);
   const float across = std::clamp(x - static_cast<float>(left), 0.0F, 1.0F);
@@ -345,7 +346,7 @@ void addBetween(const QImage& picture, float x, float y, float weight, float (&s
 
 /// The mean of the picture along the edge through a pixel, which is at a right angle to the
 /// steepest change of brightness around it.
-QRgb alongTheEdge(const QImage& picture, int x, int y) {
+QRgb meanAlongEdge(const QImage& picture, int x, int y) {
   const auto at = [&](int dx, int dy) {
     return brightness(reinterpret_cast<const QRgb*>(picture.constScanLine(y + dy))[x + dx]);
   };
@@ -362,7 +363,7 @@ QRgb alongTheEdge(const QImage& picture, int x, int y) {
   const auto py = static_cast<float>(y);
   float sum[3]{};
   for (const float step : {-1.0F, -0.33F, 0.33F, 1.0F}) {
-    addBetween(picture, px + step * dx, py + step * dy, 0.25F, sum);
+    addInterpolated(picture, px + step * dx, py + step * dy, 0.25F, sum);
   }
   return asPixel(sum[0], sum[1], sum[2]);
 }
@@ -385,7 +386,7 @@ void SoftwareRenderer::smoothEdges(QRect place) {
       const float least =
           std::min(std::min(near[x - 1], near[x + 1]), std::min(near[x - width], near[x + width]));
       if (largest - least <= kJump * largest) continue;
-      smoothed_.push_back({y * width + x, alongTheEdge(picture_, x, y)});
+      smoothed_.push_back({y * width + x, meanAlongEdge(picture_, x, y)});
     }
   }
   for (const auto& [at, colour] : smoothed_) {

@@ -26,7 +26,7 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
 /// in the same frame.
 float lightAfterShadow(const ContactShadow& shadow, QVector3D place);
 
-/// What is left at @p radius from the middle of a round view, whose rim is at 1.
+/// The darkening of a round view at @p radius from its middle; its rim is at radius 1.
 struct Vignette {
   float brightness = 1.0F;    ///< share of the brightness, which falls towards the rim
   float visibleShare = 1.0F;  ///< share of the view; the rest is background

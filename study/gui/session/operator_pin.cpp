@@ -26,13 +26,13 @@ std::optional<QString> OperatorPin::pinProblem(const QString& digits) {
 bool OperatorPin::acceptsPin(const QString& digits) {
   if (secondsUntilNextTry() > 0) return false;
   if (isChosen() && digits == digits_) {
-    wrong_ = 0;
+    wrongTries_ = 0;
     return true;
   }
-  ++wrong_;
+  ++wrongTries_;
   constexpr int kMostDoublings = 6;
-  if (wrong_ >= kFreeTries) {
-    const int doublings = std::min(wrong_ - kFreeTries, kMostDoublings);
+  if (wrongTries_ >= kFreeTries) {
+    const int doublings = std::min(wrongTries_ - kFreeTries, kMostDoublings);
     wait_.setRemainingTime(qint64{1000} * kWait << doublings);
   }
   return false;
@@ -85,14 +85,14 @@ PinDialog::PinDialog(QWidget* parent)
   buttons->addButton(tr("Do not hand over"), QDialogButtonBox::RejectRole);
   layout->addWidget(buttons);
   for (auto* line : {first_, second_}) {
-    connect(line, &QLineEdit::textChanged, this, &PinDialog::judge);
+    connect(line, &QLineEdit::textChanged, this, &PinDialog::checkEntries);
   }
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  judge();
+  checkEntries();
 }
 
-void PinDialog::judge() {
+void PinDialog::checkEntries() {
   const QString why = whyNot(first_->text(), second_->text());
   problemLabel_->setText(why);
   handOver_->setEnabled(why.isEmpty());

@@ -18,7 +18,7 @@ class OperatorPin {
   static constexpr int kFewestDigits = 4;
   static constexpr int kMostDigits = 12;
   static constexpr int kFreeTries = 3;  ///< wrong tries before a wait
-  static constexpr int kWait = 10;  ///< the first wait [s]; it doubles with every further wrong try
+  static constexpr int kWait = 10;      ///< first wait [s]; each further wrong try doubles it
 
   /// Why @p digits cannot be a PIN; std::nullopt if they can.
   static std::optional<QString> pinProblem(const QString& digits);
@@ -36,7 +36,7 @@ class OperatorPin {
 
  private:
   QString digits_;
-  int wrong_ = 0;
+  int wrongTries_ = 0;
   QDeadlineTimer wait_{0};
 };
 
@@ -50,7 +50,7 @@ class PinDialog final : public QDialog {
   QString pin() const { return first_->text(); }
 
  private:
-  void judge();
+  void checkEntries();
 
   QLineEdit* first_;
   QLineEdit* second_;

@@ -16,9 +16,9 @@ ScreenLock::ScreenLock(QWidget& window, QPushButton& button, OperatorPin& pin)
   button_.hide();
   window_.installEventFilter(this);
   connect(&button_, &QPushButton::clicked, this, &ScreenLock::ask);
-  constexpr int kTryEvery = 100;  // [ms]
-  grab_.setInterval(kTryEvery);
-  connect(&grab_, &QTimer::timeout, this, &ScreenLock::grabKeyboard);
+  constexpr int kTryInterval = 100;  // [ms]
+  grabTimer_.setInterval(kTryInterval);
+  connect(&grabTimer_, &QTimer::timeout, this, &ScreenLock::grabKeyboard);
 }
 
 void ScreenLock::lock() {
@@ -34,10 +34,10 @@ void ScreenLock::cover(bool isCovering) {
   isCovering ? window_.showFullScreen() : window_.showNormal();
   window_.activateWindow();
   if (isCovering) {
-    grab_.start();
+    grabTimer_.start();
     return;
   }
-  grab_.stop();
+  grabTimer_.stop();
   if (auto* handle = window_.windowHandle()) handle->setKeyboardGrabEnabled(false);
 }
 
@@ -48,7 +48,7 @@ void ScreenLock::grabKeyboard() {
   constexpr int kMostTries = 50;
   if (handle == nullptr || !handle->isExposed()) return;
   if (handle->setKeyboardGrabEnabled(true) || ++tries_ >= kMostTries) {
-    grab_.stop();
+    grabTimer_.stop();
     tries_ = 0;
   }
 }
@@ -61,27 +61,27 @@ bool ScreenLock::eventFilter(QObject* watched, QEvent* event) {
     window_.activateWindow();
   }
   // The window was resized: close the question, which would no longer be in the middle.
-  if (event->type() == QEvent::Resize && sheet_ != nullptr) closeDialog();
+  if (event->type() == QEvent::Resize && pinSheet_ != nullptr) closeDialog();
   return QObject::eventFilter(watched, event);
 }
 
 void ScreenLock::ask() {
-  if (sheet_ != nullptr) return;
-  sheet_ = new QFrame(&window_);
-  sheet_->setProperty("role", QStringLiteral("card"));
-  auto* layout = new QVBoxLayout(sheet_);
+  if (pinSheet_ != nullptr) return;
+  pinSheet_ = new QFrame(&window_);
+  pinSheet_->setProperty("role", QStringLiteral("card"));
+  auto* layout = new QVBoxLayout(pinSheet_);
   layout->setContentsMargins(28, 24, 28, 24);
-  layout->addWidget(bodyLabel(tr("Only for the researcher: the PIN, please."), sheet_));
-  digits_ = new QLineEdit(sheet_);
+  layout->addWidget(bodyLabel(tr("Only for the researcher: the PIN, please."), pinSheet_));
+  digits_ = new QLineEdit(pinSheet_);
   digits_->setEchoMode(QLineEdit::Password);
   digits_->setMaxLength(OperatorPin::kMostDigits);
   digits_->setAccessibleName(tr("PIN of the researcher"));
   layout->addWidget(digits_);
-  answer_ = quietLabel({}, sheet_);
+  answer_ = quietLabel({}, pinSheet_);
   layout->addWidget(answer_);
   auto* buttons = new QHBoxLayout;
-  auto* back = new QPushButton(tr("Back"), sheet_);
-  auto* open = new QPushButton(tr("Open"), sheet_);
+  auto* back = new QPushButton(tr("Back"), pinSheet_);
+  auto* open = new QPushButton(tr("Open"), pinSheet_);
   buttons->addWidget(back);
   buttons->addStretch(1);
   buttons->addWidget(open);
@@ -90,11 +90,11 @@ void ScreenLock::ask() {
   connect(open, &QPushButton::clicked, this, &ScreenLock::tryPin);
   connect(digits_, &QLineEdit::returnPressed, this, &ScreenLock::tryPin);
   constexpr int kWide = 460;
-  sheet_->setFixedWidth(kWide);
-  sheet_->adjustSize();
-  sheet_->move(window_.rect().center() - sheet_->rect().center());
-  sheet_->show();
-  sheet_->raise();
+  pinSheet_->setFixedWidth(kWide);
+  pinSheet_->adjustSize();
+  pinSheet_->move(window_.rect().center() - pinSheet_->rect().center());
+  pinSheet_->show();
+  pinSheet_->raise();
   digits_->setFocus();
 }
 
@@ -119,10 +119,10 @@ void ScreenLock::open() {
 }
 
 void ScreenLock::closeDialog() {
-  if (sheet_ == nullptr) return;
-  sheet_->hide();
-  sheet_->deleteLater();
-  sheet_ = nullptr;
+  if (pinSheet_ == nullptr) return;
+  pinSheet_->hide();
+  pinSheet_->deleteLater();
+  pinSheet_ = nullptr;
 }
 
 }  // namespace study::gui

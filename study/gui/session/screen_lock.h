@@ -45,10 +45,10 @@ class ScreenLock final : public QObject {
   QWidget& window_;
   QPushButton& button_;
   OperatorPin& pin_;
-  QPointer<QFrame> sheet_;
+  QPointer<QFrame> pinSheet_;
   QPointer<QLineEdit> digits_;
   QPointer<QLabel> answer_;
-  QTimer grab_;  ///< retries the keyboard grab until it succeeds, which needs a visible window
+  QTimer grabTimer_;  ///< retries the keyboard grab until it succeeds, which needs a visible window
   int tries_ = 0;
   bool isLocked_ = false;
 };

@@ -18,7 +18,7 @@ SessionController::SessionController(
 }
 
 SessionController::~SessionController() {
-  if (live_) endTrial(TrialEnding::ProgramEnded);
+  if (liveTrial_) endTrial(TrialEnding::ProgramEnded);
 }
 
 template <typename Action>
@@ -107,12 +107,12 @@ void SessionController::skipOptionalTrial() {
 }
 
 void SessionController::beginTrial() {
-  if (live_) return;
+  if (liveTrial_) return;
   const bool isRunning = tryTo([&] {
     traces_.emplace(study_.openTraces());
     trial_ = trialFor(session_, deviceSet_, *traces_);
     session_.beginTrial();
-    live_ = std::make_unique<LiveTrial>(*trial_);
+    liveTrial_ = std::make_unique<LiveTrial>(*trial_);
   });
   if (!isRunning) {
     trial_.reset();
@@ -124,15 +124,15 @@ void SessionController::beginTrial() {
 }
 
 void SessionController::toggleReamer() {
-  if (!live_) return;
+  if (!liveTrial_) return;
   isReamerOn_ = !isReamerOn_;
   trial_->switchReamer(isReamerOn_);  // before the database is written: a pedal acts at once
   tryTo([&] { session_.noteReamerSwitch(isReamerOn_); });
 }
 
 void SessionController::watchTrial() {
-  if (!live_) return;
-  const auto status = live_->status();
+  if (!liveTrial_) return;
+  const auto status = liveTrial_->status();
   if (status.isDeviceGone) {
     endTrial(TrialEnding::DeviceGone);
   } else if (status.isTraceLost) {
@@ -143,20 +143,21 @@ void SessionController::watchTrial() {
 }
 
 void SessionController::finishTrial() {
-  if (live_ && live_->status().cuts >= session_.step().minimumCuts) endTrial(TrialEnding::Finished);
+  if (liveTrial_ && liveTrial_->status().cuts >= session_.step().minimumCuts)
+    endTrial(TrialEnding::Finished);
 }
 
 void SessionController::stop() {
-  if (!live_) return;
-  live_->stop();
+  if (!liveTrial_) return;
+  liveTrial_->stop();
   endTrial(TrialEnding::Stopped);
 }
 
 void SessionController::endTrial(TrialEnding ending) {
   watch_.stop();
-  TrialRecord record = live_->finish(ending);
+  TrialRecord record = liveTrial_->finish(ending);
   record.view = viewReport();
-  live_.reset();
+  liveTrial_.reset();
   tryTo([&] {
     if (record.ending == TrialEnding::Finished) {
       session_.finishTrial(record);
@@ -185,7 +186,7 @@ void SessionController::resume() {
 }
 
 void SessionController::withdraw(const QString& reason) {
-  if (live_) stop();
+  if (liveTrial_) stop();
   endSession([&] { session_.withdraw(reason.toStdString()); });
 }
 

@@ -36,8 +36,10 @@ class SessionController final : public QObject {
 
   const Session& session() const noexcept { return session_; }
   Session& session() noexcept { return session_; }
-  bool isTrialRunning() const noexcept { return live_ != nullptr; }
-  LiveTrial::Status trialStatus() const { return live_ ? live_->status() : LiveTrial::Status{}; }
+  bool isTrialRunning() const noexcept { return liveTrial_ != nullptr; }
+  LiveTrial::Status trialStatus() const {
+    return liveTrial_ ? liveTrial_->status() : LiveTrial::Status{};
+  }
   /// How the tissue deforms; nullptr if the trial is not visualised.
   const haptics::engine::MeshView* mesh() const;
   /// The changes of the bone; nullptr if there are none or the trial is not visualised.
@@ -45,19 +47,19 @@ class SessionController final : public QObject {
   /// Sets the function that returns the frame statistics at the end of a trial; empty: the trial is
   /// not visualised.
   void setViewReportSource(std::function<std::optional<ViewReport>()> report) {
-    viewReport_ = std::move(report);
+    viewReportSource_ = std::move(report);
   }
   /// The frame statistics of the trial; std::nullopt if it is not visualised.
   std::optional<ViewReport> viewReport() const {
-    return viewReport_ ? viewReport_() : std::nullopt;
+    return viewReportSource_ ? viewReportSource_() : std::nullopt;
   }
   /// Sets the function that returns the bone shown to the participant; empty: no bone is shown.
-  void setBoneSource(std::function<scene::HipScene*()> bone) { bone_ = std::move(bone); }
-  scene::HipScene* visibleBone() const { return bone_ ? bone_() : nullptr; }
+  void setBoneSource(std::function<scene::HipScene*()> bone) { boneSource_ = std::move(bone); }
+  scene::HipScene* visibleBone() const { return boneSource_ ? boneSource_() : nullptr; }
   /// Takes the next sample for a plot.
   /// @return false if there is no further sample.
   bool nextToPlot(haptics::engine::TickSample& sample) {
-    return live_ && live_->nextToPlot(sample);
+    return liveTrial_ && liveTrial_->nextToPlot(sample);
   }
   /// The id of the device that the current trial needs; empty in other steps.
   QString deviceName() const;
@@ -140,9 +142,9 @@ class SessionController final : public QObject {
   Session session_;
   std::optional<storage::TraceStore> traces_;
   std::unique_ptr<Trial> trial_;
-  std::unique_ptr<LiveTrial> live_;  // declared after the trial, so that it is destroyed first
-  std::function<std::optional<ViewReport>()> viewReport_;
-  std::function<scene::HipScene*()> bone_;
+  std::unique_ptr<LiveTrial> liveTrial_;  // declared after the trial, so that it is destroyed first
+  std::function<std::optional<ViewReport>()> viewReportSource_;
+  std::function<scene::HipScene*()> boneSource_;
   QTimer watch_;
   bool isReamerOn_ = true;  ///< of the running trial, by toggleReamer()
   bool isAllSaved_ = true;  ///< of the answers received since the last savePendingAnswers()

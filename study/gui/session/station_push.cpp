@@ -77,13 +77,13 @@ bool isOverdue(const Arrivals& arrivals) {
 }
 
 StationPush::StationPush(
-    Study& study, std::function<bool()> isBusy, int retryEvery, QObject* parent)
+    Study& study, std::function<bool()> isBusy, int retryInterval, QObject* parent)
     : QObject(parent), study_(study), isBusy_(std::move(isBusy)) {
   connect(&watching_, &QTimer::timeout, this, &StationPush::poll);
   connect(&retry_, &QTimer::timeout, this, [this] {
     if (!isBusy_() && isWaiting()) send();
   });
-  if (isPossible()) retry_.start(retryEvery);
+  if (isPossible()) retry_.start(retryInterval);
 }
 
 bool StationPush::isPossible() const {

@@ -19,7 +19,7 @@ class StationPush final : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kRetryEvery = 5 * 60 * 1000;  ///< [ms]
+  static constexpr int kRetryInterval = 5 * 60 * 1000;  ///< [ms]
 
   /// The study must outlive this object.
   /// @param isBusy  returns whether a trial is running; a retry is then postponed by another
@@ -27,7 +27,7 @@ class StationPush final : public QObject {
   StationPush(
       Study& study,
       std::function<bool()> isBusy,
-      int retryEvery = kRetryEvery,
+      int retryInterval = kRetryInterval,
       QObject* parent = nullptr);
 
   /// Whether the study belongs to a station and the program that sends is installed.

@@ -136,9 +136,9 @@ QImage ToolPicture::drawn(const QColor& ground) const {
       static_cast<std::uint8_t>(ground.green()),
       static_cast<std::uint8_t>(ground.blue()),
       0};
-  constexpr double kOfWidget = 0.94;  // leaves room for the shadow
+  constexpr double kShareOfWidget = 0.94;  // leaves room for the shadow
   const QSizeF all = devicePixelRatioF() * QSizeF(size());
-  const QSizeF shown = kOfWidget * all;
+  const QSizeF shown = kShareOfWidget * all;
   // Drawn at twice the size at which it is shown, for smooth edges, but not at every cost.
   constexpr double kMost = 4e6;  // pixels
   const double fine = std::min(2.0, std::sqrt(kMost / (shown.width() * shown.height())));

@@ -9,7 +9,7 @@
 
 namespace study::gui {
 
-/// What was found about one part: a device, the texts, the timing.
+/// A finding about one part: a device, the texts, or the timing.
 struct FindingLine {
   std::string part;
   haptics::devices::CheckResult found;

@@ -74,9 +74,9 @@ class MarkedText final : public QLabel {
     constexpr int kAboveHeading = 8;  // [px] at scale 1, in addition
     const int gap = scaled(*this, kGap);
     // A single paragraph, such as a statement, needs no gap below it.
-    const bool isRunning = html_.count(QStringLiteral("<p>")) > 1 ||
-                           html_.contains(QStringLiteral("<h")) ||
-                           html_.contains(QStringLiteral("<li"));
+    const bool hasSeveralParagraphs = html_.count(QStringLiteral("<p>")) > 1 ||
+                                      html_.contains(QStringLiteral("<h")) ||
+                                      html_.contains(QStringLiteral("<li"));
     if (gap == std::exchange(gap_, gap)) return;
     QString html = html_.trimmed();
     const auto styled = [&](const char* tag, int above, int below, int line) {
@@ -89,7 +89,7 @@ class MarkedText final : public QLabel {
               .arg(line));
     };
     constexpr int kOfText = 118;  // line height [%], so that the eye finds the next line
-    styled("p", 0, isRunning ? gap : 0, kOfText);
+    styled("p", 0, hasSeveralParagraphs ? gap : 0, kOfText);
     styled("li", 0, gap / 2, kOfText);
     for (const auto* heading : {"h2", "h3"}) {
       styled(heading, scaled(*this, kAboveHeading), gap / 2, 100);

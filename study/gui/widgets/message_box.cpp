@@ -170,7 +170,8 @@ void MessageBox::addButtons(const MessageRow& row) {
   }
 }
 
-/// Enter does what was asked once something is typed or chosen, and nothing before.
+/// Enables the action and makes Enter its key as soon as something is typed or chosen; before that,
+/// Enter does nothing.
 void MessageBox::updateButtons() {
   const bool isWritten = choice() >= 0 || (line_ != nullptr && !line_->text().trimmed().isEmpty());
   const bool isNeeded = messageAbout(topic_).field == MessageRow::Field::NeededText;

@@ -31,7 +31,7 @@ class MessageBox final : public QDialog {
       QWidget* parent = nullptr);
 
   MessageTopic topic() const noexcept { return topic_; }
-  /// All that it says, paragraph by paragraph.
+  /// All text of the box, paragraph by paragraph.
   QString words() const { return words_.join(QStringLiteral("\n\n")); }
 
   /// The text in the field, or the chosen entry.

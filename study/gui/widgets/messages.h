@@ -6,7 +6,7 @@ namespace study::gui {
 
 /// What a message or question in the windows is about. Each has a row in messages().
 enum class MessageTopic {
-  // What failed; the error says why, and what to do.
+  // Failures. The error says why, and what to do.
   BackupNotNoted,
   BackupNotSaved,
   ConsentCopyNotSaved,
@@ -39,7 +39,7 @@ enum class MessageTopic {
   TableNotSaved,
   TextsNotSaved,
   VirtualPunchNotStarted,
-  // What the operator should know.
+  // Information and warnings for the operator.
   FileSaved,
   LiveSessionHasBlanks,
   TrialIsRunning,

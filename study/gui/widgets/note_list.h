@@ -10,7 +10,7 @@
 
 namespace study::gui {
 
-/// A sentence with its mark, and below it, quieter, what belongs to it.
+/// A sentence with its mark, and below it its details, in quieter text.
 struct Note {
   QString text;
   Mark mark = Mark::None;

@@ -5,7 +5,8 @@
 
 namespace study::gui {
 
-/// @p start and @p extension, with a number if that is there: "my-cut.json", "my-cut-2.json".
+/// The path @p start with @p extension, with a number if that path exists: "my-cut.json",
+/// "my-cut-2.json".
 QString unusedPath(const QString& start, const QString& extension = {});
 
 /// The user's folder of documents; the home folder if there is none.
@@ -23,9 +24,10 @@ class PathField final : public QWidget {
 
   QString path() const { return line_->text().trimmed(); }
   void setPath(const QString& path) { line_->setText(path); }
-  /// What is shown as long as no path is entered.
+  /// Sets the text that is shown as long as no path is entered.
   void setHint(const QString& hint) { line_->setPlaceholderText(hint); }
-  /// Where choosing begins as long as no path is entered; at first among the documents.
+  /// Sets the folder in which the file dialog opens as long as no path is entered; at first it is
+  /// the folder of documents.
   void startIn(const QString& folder) { start_ = folder; }
   /// Opens the desktop's chooser for a path.
   void choose();

@@ -28,8 +28,8 @@ bool isGrouped(const DataTable& table) {
          std::ranges::adjacent_find(table.rows, {}, firstOf) != table.rows.end();
 }
 
-/// The first column after the second that is not the same for all rows of each group. Those before
-/// it are said once, above the rows.
+/// The first column after the second that is not the same for all rows of each group. The columns
+/// before it are shown once, in a heading above the rows of the group.
 std::size_t firstOwnColumn(const DataTable& table) {
   constexpr std::size_t kFirst = 2;
   for (std::size_t column = kFirst; column < table.columns.size(); ++column) {
@@ -147,7 +147,7 @@ void ResultTable::fitColumns() {
     left -= more;
   }
   resizeRowsToContents();
-  emit fitted();
+  emit columnsFitted();
 }
 
 int ResultTable::wholeHeight() const {
@@ -177,7 +177,7 @@ void ResultTable::resizeEvent(QResizeEvent* event) {
 
 void ResultTable::keyPressEvent(QKeyEvent* event) {
   if (event->matches(QKeySequence::Copy)) {
-    emit copyAsked();  // Qt copies one cell
+    emit copyRequested();  // Qt copies one cell
   } else {
     QTableWidget::keyPressEvent(event);
   }

@@ -26,9 +26,9 @@ class ResultTable final : public QTableWidget {
   QStringList lines(bool isAll) const;
 
  signals:
-  void copyAsked();
-  /// Its columns, and so the heights of its rows, have changed.
-  void fitted();
+  void copyRequested();
+  /// The widths of the columns, and so the heights of the rows, have changed.
+  void columnsFitted();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -24,7 +24,7 @@ namespace {
 constexpr int kSomeRows = 240;  // [px]: the least height of a table that is scrolled
 
 /// Numbers as programs read them: with a hyphen for the minus sign.
-QString forPrograms(QString text) {
+QString withHyphenMinus(QString text) {
   return text.replace(u'−', u'-');
 }
 
@@ -80,8 +80,8 @@ ResultView::ResultView(QWidget* parent)
   connect(choice_, &QComboBox::currentIndexChanged, this, &ResultView::fill);
   connect(copy, &QPushButton::clicked, this, &ResultView::copy);
   connect(save, &QPushButton::clicked, this, &ResultView::save);
-  connect(cells_, &ResultTable::copyAsked, this, &ResultView::copy);
-  connect(cells_, &ResultTable::fitted, this, &ResultView::tableChanged);
+  connect(cells_, &ResultTable::copyRequested, this, &ResultView::copy);
+  connect(cells_, &ResultTable::columnsFitted, this, &ResultView::tableChanged);
 }
 
 void ResultView::show(const report::Answer& answer, std::vector<DataTable> tables) {
@@ -128,11 +128,11 @@ void ResultView::copy() const {
     lines << headings.join(u'\t');
   }
   lines << cells_->lines(isAll);
-  QApplication::clipboard()->setText(forPrograms(lines.join(u'\n') + u'\n'));
+  QApplication::clipboard()->setText(withHyphenMinus(lines.join(u'\n') + u'\n'));
 }
 
 void ResultView::saveTo(const QString& path) const {
-  writeNewFile(path.toStdString(), forPrograms(asText(asCsv(table()))).toStdString());
+  writeNewFile(path.toStdString(), withHyphenMinus(asText(asCsv(table()))).toStdString());
 }
 
 void ResultView::save() {

@@ -14,8 +14,8 @@ namespace study::gui {
 
 class ResultTable;
 
-/// What was computed: the answer in words; below it tables, one at a time, that can be copied or
-/// saved; and what to keep in mind.
+/// Shows a result: the answer in words; below it tables, one at a time, which can be copied or
+/// saved; and caveats.
 class ResultView final : public QWidget {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class ResultView final : public QWidget {
   void show(const report::Answer& answer, std::vector<DataTable> tables);
   using QWidget::show;
 
-  /// The table in sight. Must not be called where there is none.
+  /// The table that is shown. Must not be called if there is no table.
   const DataTable& table() const {
     return tables_[static_cast<std::size_t>(choice_->currentIndex())];
   }

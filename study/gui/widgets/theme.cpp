@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kThemeProperty = "wears";
 constexpr const char* kScaleProperty = "scale";
-constexpr int kBody = 17;  // [px] at scale 1: all running text of participants
+constexpr int kBodyFontSize = 17;  // [px] at scale 1: all running text of participants
 
 /// Button layout 3 puts the action at the right end and the cancel button to its left, as in the
 /// other dialogs.
@@ -280,7 +280,8 @@ void setWindowTheme(QWidget& window, ThemeName name, double scale) {
           "QWidget { color: %1; }\nQLineEdit, QPlainTextEdit, QComboBox { color: %2; }\n")
           .arg(own.window.text.name(), own.field.text.name()) +
       styleSheetOf(own, scale) +
-      QStringLiteral("QLabel[role=\"quiet\"] { font-size: %1px; }\n").arg(scaled(window, kBody)));
+      QStringLiteral("QLabel[role=\"quiet\"] { font-size: %1px; }\n")
+          .arg(scaled(window, kBodyFontSize)));
 }
 
 int scaled(const QWidget& widget, int length) noexcept {

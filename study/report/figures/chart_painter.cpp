@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kUsualWidth = 860.0;
 constexpr double kHeight = 440.0;
-constexpr double kAxis = 54.0;   // height of the axis below the plot
-constexpr double kEntry = 38.0;  // height of a legend's entry below the axis
+constexpr double kAxisHeight = 54.0;         // height of the axis below the plot
+constexpr double kLegendEntryHeight = 38.0;  // height of a legend's entry below the axis
 
 double widthOf(const FigureFormat& format) {
   return format.width ? format.layoutWidth() : kUsualWidth;
@@ -41,7 +41,7 @@ struct Range {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
 
-  void take(double value, bool isLogarithmic) {
+  void include(double value, bool isLogarithmic) {
     if (!std::isfinite(value) || (isLogarithmic && !(value > 0.0))) return;
     least = std::min(least, value);
     most = std::max(most, value);
@@ -53,8 +53,8 @@ AxisScale scaleOf(const Chart& chart, bool isX) {
   Range range;
   for (const auto& series : chart.series) {
     for (const auto& point : series.points) {
-      range.take(isX ? point.x : point.y, axis.isLogarithmic);
-      if (isX && point.xHigh) range.take(*point.xHigh, axis.isLogarithmic);
+      range.include(isX ? point.x : point.y, axis.isLogarithmic);
+      if (isX && point.xHigh) range.include(*point.xHigh, axis.isLogarithmic);
     }
   }
   if (!(range.least <= range.most)) return {axis, 1.0, 10.0};
@@ -193,7 +193,7 @@ class ChartPainter {
   }
 
   void legend() {
-    double y = isNarrow_ ? plot_.bottom() + kAxis : plot_.top() + 2;
+    double y = isNarrow_ ? plot_.bottom() + kAxisHeight : plot_.top() + 2;
     for (std::size_t i = 0; i < chart_.series.size(); ++i) {
       const auto& series = chart_.series[i];
       if (series.title.empty()) continue;
@@ -218,7 +218,7 @@ class ChartPainter {
           {x + 32, y + 1, width_ - x - 34, 34},
           Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
           QString::fromStdString(series.title));
-      y += series.title.size() > 26 ? kEntry : 24.0;
+      y += series.title.size() > 26 ? kLegendEntryHeight : 24.0;
     }
   }
 
@@ -234,9 +234,10 @@ class ChartPainter {
 }  // namespace
 
 std::string chartAsSvg(const Chart& chart, const FigureFormat& format) {
-  const double height = format.isNarrow() ? plotOf(format).bottom() + kAxis +
-                                                kEntry * static_cast<double>(chart.series.size())
-                                          : kHeight;
+  const double height = format.isNarrow()
+                            ? plotOf(format).bottom() + kAxisHeight +
+                                  kLegendEntryHeight * static_cast<double>(chart.series.size())
+                            : kHeight;
   return asSvg(
       {widthOf(format), height},
       [&](QPainter& painter) { ChartPainter(painter, chart, format).paint(); },

@@ -65,7 +65,7 @@ QSizeF voteFigureSize(const ReportSection& section, const FigureFormat& format);
 void paintVoteFigure(QPainter& painter, const ReportSection& section, const FigureFormat& format);
 
 /// How often each option of @p item was chosen, by cohort and alternative.
-/// @param summaries  those of the item that are about an alternative
+/// @param summaries  the summaries of the answers to this item about alternatives
 QSizeF choiceFigureSize(const std::vector<ItemSummary>& summaries, const FigureFormat& format);
 void paintChoiceFigure(
     QPainter& painter,

@@ -9,8 +9,8 @@
 namespace study::report {
 namespace {
 
-constexpr double kLabels = 210.0;  // width of the names on the left
-constexpr double kRight = 112.0;   // … and of the numbers on the right
+constexpr double kNamesWidth = 210.0;    // width of the names on the left
+constexpr double kNumbersWidth = 112.0;  // … and of the numbers on the right
 constexpr double kBar = 20.0;
 constexpr double kGap = 6.0;
 constexpr double kHeading = 24.0;
@@ -53,16 +53,17 @@ class LikertPainter {
         family_(family),
         isNarrow_(format.isNarrow()),
         width_(format.layoutWidth()),
-        labels_(isNarrow_ ? 0.0 : kLabels),
-        rightWidth_(isNarrow_ ? 0.0 : kRight) {
+        labels_(isNarrow_ ? 0.0 : kNamesWidth),
+        rightWidth_(isNarrow_ ? 0.0 : kNumbersWidth) {
     for (const auto& cohort : family.cohorts) {
       for (const auto& condition : cohort.conditions) {
         const auto shares = sharesOf(*condition.answers.points());
-        mostLeft_ = std::max(mostLeft_, leftShare(shares));
-        mostRight_ = std::max(mostRight_, 1.0 - leftShare(shares));
+        largestLeftShare_ = std::max(largestLeftShare_, leftShare(shares));
+        largestRightShare_ = std::max(largestRightShare_, 1.0 - leftShare(shares));
       }
     }
-    unit_ = (width_ - labels_ - rightWidth_) / std::max(mostLeft_ + mostRight_, 0.5);
+    unit_ =
+        (width_ - labels_ - rightWidth_) / std::max(largestLeftShare_ + largestRightShare_, 0.5);
   }
 
   void paint() {
@@ -86,13 +87,13 @@ class LikertPainter {
   }
 
  private:
-  double middle() const { return labels_ + mostLeft_ * unit_; }
+  double middle() const { return labels_ + largestLeftShare_ * unit_; }
 
   void bar(const analysis::NamedSample& condition, double y) {
     painter_.setPen(Qt::black);
     drawText(
         painter_,
-        isNarrow_ ? QRectF(0, y, width_, kNameLine) : QRectF(0, y, kLabels - 12, kBar),
+        isNarrow_ ? QRectF(0, y, width_, kNameLine) : QRectF(0, y, kNamesWidth - 12, kBar),
         (isNarrow_ ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
         QString::fromStdString(section_.conditionTitle(condition.name)));
     const double nameAt = y;
@@ -114,7 +115,7 @@ class LikertPainter {
     drawText(
         painter_,
         isNarrow_ ? QRectF(0, nameAt, width_, kNameLine)
-                  : QRectF(width_ - kRight + 10, y, kRight - 10, kBar),
+                  : QRectF(width_ - kNumbersWidth + 10, y, kNumbersWidth - 10, kBar),
         (isNarrow_ ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
         QString::fromStdString(
             "n = " + std::to_string(condition.answers.total()) +
@@ -155,7 +156,7 @@ class LikertPainter {
     painter_.setPen(Qt::black);
     drawText(
         painter_,
-        isNarrow_ ? QRectF(0, y + 37, width_ / 2, 20) : QRectF(0, y + 3, kLabels - 12, 20),
+        isNarrow_ ? QRectF(0, y + 37, width_ / 2, 20) : QRectF(0, y + 3, kNamesWidth - 12, 20),
         (isNarrow_ ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
         QString::fromStdString(instrument->scale->lowLabel.in(section_.words.language())));
     drawText(
@@ -180,8 +181,8 @@ class LikertPainter {
   double width_;
   double labels_;
   double rightWidth_;
-  double mostLeft_ = 0.0;
-  double mostRight_ = 0.0;
+  double largestLeftShare_ = 0.0;
+  double largestRightShare_ = 0.0;
   double unit_ = 1.0;
 };
 

@@ -6,7 +6,7 @@
 namespace study::report {
 namespace {
 
-QColor between(const QColor& a, const QColor& b, double t) {
+QColor blended(const QColor& a, const QColor& b, double t) {
   const auto mix = [t](int x, int y) { return static_cast<int>(std::lround(x + t * (y - x))); };
   return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
 }
@@ -34,7 +34,7 @@ QColor divergingColour(int index, int points) {
       QColor(0x05, 0x71, 0xb0)};
   const double place = points < 2 ? 2.0 : 4.0 * index / (points - 1);
   const auto left = static_cast<std::size_t>(std::fmin(3.0, std::floor(place)));
-  return between(kColours[left], kColours[left + 1], place - static_cast<double>(left));
+  return blended(kColours[left], kColours[left + 1], place - static_cast<double>(left));
 }
 
 }  // namespace study::report

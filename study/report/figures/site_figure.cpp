@@ -77,7 +77,7 @@ class SitePainter {
 
  private:
   double middle() const { return canvas_.drawingOf(y_) + kSiteRows.height / 2; }
-  double inside(double x) const { return std::clamp(x, canvas_.left(), canvas_.right()); }
+  double clampedToPlot(double x) const { return std::clamp(x, canvas_.left(), canvas_.right()); }
 
   void paintSite(const analysis::SiteDifference& one) {
     canvas_.name(one.site + " (n = " + std::to_string(one.test.n) + ")", y_, kSiteRows.height);
@@ -99,8 +99,8 @@ class SitePainter {
 
   /// The line from end to end; an arrow where an end is beyond the axis.
   void paintInterval(const analysis::Interval& interval, const QColor& colour) {
-    const double low = inside(canvas_.x(interval.low));
-    const double high = inside(canvas_.x(interval.high));
+    const double low = clampedToPlot(canvas_.x(interval.low));
+    const double high = clampedToPlot(canvas_.x(interval.high));
     painter_.setPen(QPen(colour, 1.8, Qt::SolidLine, Qt::FlatCap));
     painter_.drawLine(QPointF(low, middle()), QPointF(high, middle()));
     if (low <= canvas_.left()) paintArrow(low, 1.0);
@@ -122,9 +122,9 @@ class SitePainter {
     const auto& all = row.pooled->knappHartung;
     constexpr double kHalf = 7.0;
     QPolygonF diamond;
-    diamond << QPointF(inside(canvas_.x(all.interval.low)), middle())
+    diamond << QPointF(clampedToPlot(canvas_.x(all.interval.low)), middle())
             << QPointF(canvas_.x(all.estimate), middle() - kHalf)
-            << QPointF(inside(canvas_.x(all.interval.high)), middle())
+            << QPointF(clampedToPlot(canvas_.x(all.interval.high)), middle())
             << QPointF(canvas_.x(all.estimate), middle() + kHalf);
     painter_.setPen(QPen(Qt::black, 1));
     painter_.setBrush(categoryColour(1));

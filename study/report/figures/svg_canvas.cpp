@@ -13,7 +13,7 @@ namespace study::report {
 namespace {
 
 /// Writes the exact size into the first tag of an SVG; Qt rounds it to whole pixels.
-void measure(std::string& svg, const QSizeF& millimetres) {
+void writeSize(std::string& svg, const QSizeF& millimetres) {
   const auto replace = [&](const std::string& name, double length) {
     const auto begin = svg.find(name + "=\"");
     const auto end = svg.find('"', begin + name.size() + 2);
@@ -42,7 +42,7 @@ std::string asSvg(
   const auto begin = svg.find("<svg");
   if (begin == std::string::npos) return {};
   svg.erase(0, begin);
-  if (format.width) measure(svg, format.scale() * 25.4 / 96.0 * size);
+  if (format.width) writeSize(svg, format.scale() * 25.4 / 96.0 * size);
   return svg;
 }
 

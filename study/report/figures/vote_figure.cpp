@@ -24,7 +24,7 @@ struct ShareGroup {
   std::string heading;
   std::uint64_t total = 0;
   std::vector<Share> bars;
-  bool isOfEqualChance = false;  ///< the share of each, if all were chosen equally often, is marked
+  bool marksEqualShare = false;  ///< the share of each, if all were chosen equally often, is marked
 };
 
 std::vector<ShareGroup> sharesOf(const ReportSection& section) {
@@ -35,7 +35,7 @@ std::vector<ShareGroup> sharesOf(const ReportSection& section) {
       auto& group = all.emplace_back(ShareGroup{
           .heading = section.cohortTitle(vote.cohort) + ", " + section.blockTitle(vote.block),
           .total = vote.votes.total(),
-          .isOfEqualChance = true});
+          .marksEqualShare = true});
       const auto shares = vote.votes.shares();
       for (std::size_t i = 0; i < shares.size(); ++i) {
         group.bars.push_back(
@@ -105,7 +105,7 @@ class SharePainter {
         bar(share, group.total, y);
         y += RowsCanvas::rowHeight(format_, kVoteRows.height);
       }
-      if (group.isOfEqualChance && !group.bars.empty()) {
+      if (group.marksEqualShare && !group.bars.empty()) {
         canvas_.reference(100.0 / static_cast<double>(group.bars.size()), top, y, Qt::DashLine);
       }
       y += kVoteGap;

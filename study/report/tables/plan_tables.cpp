@@ -94,7 +94,7 @@ class PlanWriter {
   std::string needed(const FamilyPlan& family) const {
     auto text = words_.say(
         "{} participants in a cohort find a difference of d_z = {:g} with a probability of {}",
-        asCell(family.forPower),
+        asCell(family.sampleSizeForPower),
         plan_.planOptions.dz,
         percent(plan_.planOptions.power));
     if (family.recommended && plan_.balancedBy > 1) {
@@ -103,7 +103,7 @@ class PlanWriter {
     return text + ".";
   }
 
-  /// Of which test the power is, and whether the protocol declares it.
+  /// Says for which test the power was computed, and whether the protocol declares another test.
   std::string test(const FamilyPlan& family) const {
     auto text = words_.say(
         "Power is that of a paired t-test of people’s means at α = {}.",

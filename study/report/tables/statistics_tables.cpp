@@ -83,7 +83,7 @@ class TablesWriter {
   std::vector<DataTable> all() {
     for (const auto& family : section_.results.families) {
       comparisons(family);
-      bySite(family);
+      addSiteDifferences(family);
     }
     means();
     for (const auto& votes : voteTables(section_.results)) preferences(votes);
@@ -266,7 +266,7 @@ class TablesWriter {
         section_.conditionTitle(isFirst ? test.group1 : test.group2));
   }
 
-  void bySite(const FamilyResult& family) {
+  void addSiteDifferences(const FamilyResult& family) {
     auto table = tableOf(
         family.family.id + "-sites",
         section_.results.families.size() > 1 ? family.family.title + ": " + say("By site")

@@ -9,8 +9,8 @@
 namespace study::storage {
 namespace {
 
-constexpr const char* kList = "erasures";
-constexpr std::size_t kFields = 5;
+constexpr const char* kListName = "erasures";
+constexpr std::size_t kFieldCount = 5;
 
 bool isEnrolled(const Database& database, const ListedErasure& erasure) {
   Statement select(database, "SELECT 1 FROM participant WHERE code = ? AND created_utc = ?");
@@ -29,7 +29,7 @@ std::optional<ListedErasure> listedErasureIn(const std::string& line) {
   std::vector<std::string> fields;
   std::istringstream stream(line);
   for (std::string field; std::getline(stream, field, '\t');) fields.push_back(field);
-  if (fields.size() != kFields) return std::nullopt;
+  if (fields.size() != kFieldCount) return std::nullopt;
   const auto level = erasureLevelNamed(fields[3]);
   if (!level) return std::nullopt;
   return ListedErasure{
@@ -44,7 +44,7 @@ std::vector<ListedErasure> listedErasures(const std::string& study) {
   std::vector<ListedErasure> listed;
   const auto station = StationStore::find(StationStore::defaultFolder());
   if (!station) return listed;
-  for (const auto& line : station->lines(kList)) {
+  for (const auto& line : station->lines(kListName)) {
     auto erasure = listedErasureIn(line);
     if (erasure && erasure->study == study) listed.push_back(std::move(*erasure));
   }
@@ -54,7 +54,7 @@ std::vector<ListedErasure> listedErasures(const std::string& study) {
 void addListedErasure(const ListedErasure& erasure) {
   const auto known = listedErasures(erasure.study);
   if (std::find(known.begin(), known.end(), erasure) != known.end()) return;
-  StationStore::openOrCreate(StationStore::defaultFolder()).append(kList, asLine(erasure));
+  StationStore::openOrCreate(StationStore::defaultFolder()).append(kListName, asLine(erasure));
 }
 
 std::vector<ListedErasure> erasuresToRepeat(

@@ -126,7 +126,7 @@ Findings checkStation(
     const StationStore& station,
     const RecordedHeads& listed,
     bool isOlderCopy) {
-  const auto& [all, unsound] = listed;
+  const auto& [all, unsoundLines] = listed;
   const auto own = ownHeads(trail, all);
   const auto& noted = own.heads;
   if (!own.isKnown) {
@@ -148,9 +148,9 @@ Findings checkStation(
         "this station did not note how the study began. What was before " + asWords(all.front()) +
         " is proven only by a head or a witness file of then (--expect, --witness)");
   }
-  if (unsound > 0) {
+  if (unsoundLines > 0) {
     findings.remarks.push_back(
-        std::to_string(unsound) +
+        std::to_string(unsoundLines) +
         " lines of this station's list are not what it wrote, and were left out");
   }
   // A head is noted after its events were stored, so the list may have grown since.

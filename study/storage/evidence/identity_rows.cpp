@@ -11,7 +11,8 @@ namespace {
 constexpr const char* kName =
     "participant || '/' || session_number || '/' || step || '/' || attempt || '/' || item";
 
-/// The bytes of one column, so that those of several columns are told apart.
+/// The bytes of one column, after their number, so that the limits of several columns in a row are
+/// known.
 std::string withSize(const std::string& bytes) {
   return std::to_string(bytes.size()) + ":" + bytes;
 }

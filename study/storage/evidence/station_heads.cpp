@@ -42,7 +42,7 @@ RecordedHeads readRecordedHeads(const StationStore& station, const std::string& 
     if (head && head->key == station.publicKey() && head->isSigned()) {
       noted.heads.push_back({std::move(*head), std::move(folder)});
     } else {
-      ++noted.unsound;
+      ++noted.unsoundLines;
     }
   }
   return noted;

@@ -24,7 +24,7 @@ void recordHead(
 struct RecordedHeads {
   std::vector<RecordedHead> heads = {};  ///< oldest first
   /// Number of lines without a valid signature of this station: changed, or cut off by a full disk.
-  std::size_t unsound = 0;
+  std::size_t unsoundLines = 0;
 };
 
 /// @throws StorageError  if the list cannot be read

@@ -57,8 +57,8 @@ TrailHeads::TrailHeads(const Database& study) : database_(study) {
       study, "SELECT (SELECT uuid FROM study WHERE id = 1), coalesce(max(seq), 0) FROM event");
   select.step();
   study_ = select.text(0);
-  last_ = select.number(1);
-  first_ = hashOf(1);
+  lastEvent_ = select.number(1);
+  firstHash_ = hashOf(1);
   readResealed();
   readRepeatedErasures();
   readSigned();
@@ -87,7 +87,7 @@ void TrailHeads::readResealed() {
 }
 
 void TrailHeads::readRepeatedErasures() {
-  lastSharedEvent_ = last_;
+  lastSharedEvent_ = lastEvent_;
   for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::Erased))) {
     if (numberIn(values, "again") != 0) lastSharedEvent_ = std::min(lastSharedEvent_, seq - 1);
   }
@@ -104,7 +104,7 @@ void TrailHeads::readSigned() {
         .seq = seq,
         .head = {
             .study = study_,
-            .first = first_,
+            .first = firstHash_,
             .events = numberIn(values, "events"),
             .hash = textIn(values, "hash"),
             .utc = textIn(values, "utc"),
@@ -145,7 +145,7 @@ bool TrailHeads::holds(const SignedHead& head) const {
 }
 
 bool TrailHeads::endsBefore(const SignedHead& head) const {
-  const bool isOfAnother = previousTrailEvents_ > 0 && head.first != first_;
+  const bool isOfAnother = previousTrailEvents_ > 0 && head.first != firstHash_;
   if (isOfAnother) return head.events > previousTrailEvents_;
   if (isSealedAgain(head) && hashOf(head.events) == head.hash) return true;
   return head.events > lastSharedEvent_ ||
@@ -153,7 +153,7 @@ bool TrailHeads::endsBefore(const SignedHead& head) const {
 }
 
 bool TrailHeads::belongsToPreviousTrail(const SignedHead& head) const {
-  if (previousTrailEvents_ == 0 || head.first == first_ || head.events > previousTrailEvents_)
+  if (previousTrailEvents_ == 0 || head.first == firstHash_ || head.events > previousTrailEvents_)
     return false;
   // Only a signature right after that event counts. A later signature proves nothing, because the
   // station may sign sessions of a study whose first events were replaced.
@@ -203,9 +203,9 @@ Findings TrailHeads::checkSignatures(const std::string& key) const {
   }
   if (signedUpTo == 0) {
     findings.remarks.push_back("no station has signed anything of it yet");
-  } else if (signedUpTo < last_) {
+  } else if (signedUpTo < lastEvent_) {
     findings.remarks.push_back(
-        "events " + std::to_string(signedUpTo + 1) + " to " + std::to_string(last_) +
+        "events " + std::to_string(signedUpTo + 1) + " to " + std::to_string(lastEvent_) +
         " are not signed yet: that happens at the end of a session, and for exports, reports and "
         "backups");
   }

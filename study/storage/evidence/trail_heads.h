@@ -26,9 +26,9 @@ class TrailHeads {
   };
 
   const std::vector<Signed>& all() const noexcept { return signed_; }
-  std::int64_t lastEvent() const noexcept { return last_; }         ///< number of the last event
-  const std::string& study() const noexcept { return study_; }      ///< uuid
-  const std::string& firstHash() const noexcept { return first_; }  ///< hash of the first event
+  std::int64_t lastEvent() const noexcept { return lastEvent_; }  ///< number of the last event
+  const std::string& study() const noexcept { return study_; }    ///< uuid
+  const std::string& firstHash() const noexcept { return firstHash_; }  ///< hash of the first event
 
   /// Whether the trail has the events up to @p head unchanged, and the event that contains @p head.
   bool holds(const SignedHead& head) const;
@@ -63,8 +63,8 @@ class TrailHeads {
 
   const Database& database_;
   std::string study_;
-  std::string first_;
-  std::int64_t last_ = 0;
+  std::string firstHash_;
+  std::int64_t lastEvent_ = 0;
   /// Number of events of the previous trail that follow the first event; 0 if there is no previous
   /// trail.
   std::int64_t previousTrailEvents_ = 0;

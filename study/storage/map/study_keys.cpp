@@ -18,7 +18,7 @@
 namespace study::storage {
 namespace {
 
-constexpr const char* kList = "study-keys";
+constexpr const char* kListName = "study-keys";
 constexpr const char* kFirstLine = "palpate study key 1";
 constexpr std::string_view kKeyWord = "key ";
 
@@ -40,7 +40,7 @@ std::optional<BlindingSecret> keyIn(const std::string& line, const std::string& 
 std::optional<BlindingSecret> keyOnStation(const std::string& commitment) {
   const auto station = StationStore::find(StationStore::defaultFolder());
   if (!station) return std::nullopt;
-  for (const auto& line : station->lines(kList)) {
+  for (const auto& line : station->lines(kListName)) {
     if (auto key = keyIn(line, commitment)) return key;
   }
   return std::nullopt;
@@ -93,7 +93,7 @@ bool storeStudyKey(const BlindingSecret& key, const std::filesystem::path& folde
   const auto station = StationStore::openOrCreate(StationStore::defaultFolder());
   std::string where = std::filesystem::absolute(folder).string();
   std::replace(where.begin(), where.end(), '\n', ' ');
-  station.append(kList, commitment + " " + inHexadecimal(key.bytes()) + " " + where);
+  station.append(kListName, commitment + " " + inHexadecimal(key.bytes()) + " " + where);
   return true;
 }
 
@@ -113,12 +113,12 @@ bool dropKey(const std::string& commitment) {
   }
   const auto station = StationStore::find(StationStore::defaultFolder());
   if (!station) return false;
-  auto lines = station->lines(kList);
+  auto lines = station->lines(kListName);
   const auto isOfStudy = [&](const std::string& line) {
     return line.starts_with(commitment + " ");
   };
   const auto removed = std::erase_if(lines, isOfStudy);
-  if (removed > 0) station->rewrite(kList, lines);
+  if (removed > 0) station->rewrite(kListName, lines);
   return removed > 0;
 }
 

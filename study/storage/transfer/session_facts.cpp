@@ -100,11 +100,11 @@ void addAllocation(
   }
 }
 
-/// @param as  number of the session's row; std::nullopt: the next free one
+/// @param sessionNumber  number of the session's row; std::nullopt: the next free one
 SessionId addRows(
     Database& study,
     const SessionTables& facts,
-    std::optional<SessionId> as,
+    std::optional<SessionId> sessionNumber,
     const SealingKey* key,
     const std::set<VisitKey>& openTrials) {
   NamedRow session = onlyRow(facts, "session");
@@ -113,7 +113,7 @@ SessionId addRows(
   const auto participant = participantIn(study, onlyRow(facts, "participant"));
   std::vector<std::pair<std::string, std::int64_t>> keys{
       {"participant_id", participant}, {"protocol_id", protocol}};
-  if (as) keys.emplace_back("id", static_cast<std::int64_t>(*as));
+  if (sessionNumber) keys.emplace_back("id", static_cast<std::int64_t>(*sessionNumber));
   insertRows(study, "session", kSessionColumns, {session}, keys);
   const SessionId id{study.lastInsertedId()};
   for (const auto& table : kTables) {

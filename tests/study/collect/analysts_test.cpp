@@ -189,8 +189,8 @@ TEST_F(Analysts, BandsHaveTheWordsOfAnExport) {
       const double value = least + (most - least) * i / 20.0;
       const auto told = owner.query(
           "SELECT palpate.band($1, $2, $3)",
-          {study::exactly(value),
-           study::exactly(bands.bandWidth().value_or(0.0)),
+          {study::exactDecimal(value),
+           study::exactDecimal(bands.bandWidth().value_or(0.0)),
            bands.isWhole() ? "true" : "false"});
       EXPECT_EQ(told.text(0, 0), bands.releasedValue(0, value)) << value;
     }

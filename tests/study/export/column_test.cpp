@@ -102,13 +102,13 @@ TEST(Column, IsDescribedForItsReaders) {
 
 TEST(ExportedTable, HasACellForEachColumnAndAnEmptyOneForAMissingValue) {
   const std::vector<Row> rows{{"a,b", 3, 0.25, true}, {"", -1, std::nullopt, false}};
-  const auto exported = filled(table(), rows, {.isBlinded = false});
+  const auto exported = exportedTable(table(), rows, {.isBlinded = false});
   EXPECT_EQ(asCsv(exported), "code,count,secret,seconds_s\n\"a,b\",3,\"a,b\",0.25\n,-1,,\n");
 }
 
 TEST(ExportedTable, PutsAnApostropheOnlyBeforeFreeText) {
   const std::vector<Row> rows{{"=1+1", 0, std::nullopt, false}};
-  const auto exported = filled(table(), rows, {.isBlinded = false});
+  const auto exported = exportedTable(table(), rows, {.isBlinded = false});
   EXPECT_EQ(asCsv(exported), "code,count,secret,seconds_s\n=1+1,0,'=1+1,\n");
 }
 

@@ -418,12 +418,12 @@ class BlindedExport : public testing::Test {
     simulateCohorts(*study_, study_.clock, people, 3, [](const auto&) {});
   }
 
-  Content exported(ExportFormat format, std::optional<std::size_t> publicClass = std::nullopt) {
+  Content exported(ExportFormat format, std::optional<std::size_t> publicClassSize = std::nullopt) {
     const auto folder = folder_ / ("out" + std::to_string(++exports_));
     exportStudy(
         *study_,
         folder,
-        {.format = format, .runMode = RunMode::Simulated, .publicClass = publicClass});
+        {.format = format, .runMode = RunMode::Simulated, .publicClassSize = publicClassSize});
     return contentOf(folder);
   }
 
@@ -500,7 +500,7 @@ TEST_F(BlindedExport, ThatIsPublicHasParticipantsResponsesAndItemsOnly) {
         ExportFormat::PsychDs,
         ExportFormat::R,
         ExportFormat::Python}) {
-    auto tables = exported(format, kSmallestPublicClass).tables;
+    auto tables = exported(format, kSmallestPublicClassSize).tables;
     tables.erase("columns");
     if (format == ExportFormat::Json) {
       EXPECT_EQ(tables["felt_from"], kSources);

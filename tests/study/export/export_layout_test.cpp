@@ -446,7 +446,7 @@ TEST(BidsExport, HasNoFreeTextThatASpreadsheetTakesForAFormula) {
 
 TEST_F(ExportLayoutTest, HasNoPublicBidsFolder) {
   EXPECT_THROW(
-      exported("out", {.format = ExportFormat::Bids, .publicClass = kSmallestPublicClass}),
+      exported("out", {.format = ExportFormat::Bids, .publicClassSize = kSmallestPublicClassSize}),
       storage::StorageError);
 }
 

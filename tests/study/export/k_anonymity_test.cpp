@@ -58,7 +58,7 @@ TEST(KAnonymity, HoldsForRandomParticipants) {
   for (int study = 0; study < 2000; ++study) {
     const std::size_t people = 5 + random() % 60;
     const std::size_t k = 5 + random() % 3;
-    const auto release = released(someCohort(random, people), people, k);
+    const auto release = computeRelease(someCohort(random, people), people, k);
     ASSERT_EQ(release.has_value(), people >= k);
     if (!release) continue;
     EXPECT_GE(smallestClass(*release, people), k);
@@ -72,8 +72,8 @@ TEST(KAnonymity, HoldsForRandomParticipants) {
 TEST(KAnonymity, IsDeterministic) {
   std::mt19937 random(7);
   const auto people = someCohort(random, 40);
-  const auto first = released(people, 40, 5);
-  const auto second = released(people, 40, 5);
+  const auto first = computeRelease(people, 40, 5);
+  const auto second = computeRelease(people, 40, 5);
   for (std::size_t i = 0; i < first->columns.size(); ++i) {
     EXPECT_EQ(first->columns[i].values, second->columns[i].values);
   }
@@ -81,7 +81,8 @@ TEST(KAnonymity, IsDeterministic) {
 
 TEST(KAnonymity, ReleasesEverythingIfAllClassesAreLargeEnough) {
   const Values cohort{"a", "a", "a", "a", "a", "b", "b", "b", "b", "b"};
-  const auto release = released({asIs("cohort", cohort), asIs("one", Values(10, "x"))}, 10, 5);
+  const auto release =
+      computeRelease({asIs("cohort", cohort), asIs("one", Values(10, "x"))}, 10, 5);
   EXPECT_EQ(release->columns[0].values, cohort);
   EXPECT_EQ(release->columns[1].values, Values(10, "x"));
   EXPECT_EQ(release->before.smallest, 5U);
@@ -90,7 +91,7 @@ TEST(KAnonymity, ReleasesEverythingIfAllClassesAreLargeEnough) {
 TEST(KAnonymity, PrefersTheFirstQuasiIdentifiers) {
   const Values cohort{"a", "a", "a", "a", "a", "b", "b", "b", "b", "b"};
   const Values hand{"r", "l", "r", "l", "r", "l", "r", "l", "r", "l"};
-  const auto release = released({asIs("cohort", cohort), asIs("hand", hand)}, 10, 5);
+  const auto release = computeRelease({asIs("cohort", cohort), asIs("hand", hand)}, 10, 5);
   EXPECT_TRUE(release->columns[0].level.has_value());
   EXPECT_FALSE(release->columns[1].level.has_value());
   EXPECT_EQ(release->columns[1].values, Values(10, ""));
@@ -108,7 +109,7 @@ TEST(KAnonymity, SuppressesRareValuesAndKeepsTheSuppressedClassLargeEnough) {
 TEST(KAnonymity, ListsTheCausesOfSmallClasses) {
   const Values age{"30", "31", "32", "33", "34", "35"};
   const Values hand{"r", "r", "r", "r", "r", "l"};
-  const auto release = released({asIs("hand", hand), asIs("age", age)}, 6, 5);
+  const auto release = computeRelease({asIs("hand", hand), asIs("age", age)}, 6, 5);
   ASSERT_EQ(release->before.causes.size(), 2U);
   EXPECT_EQ(release->before.causes[0], (std::pair<std::string, std::size_t>{"age", 6}));
   EXPECT_EQ(release->before.causes[1], (std::pair<std::string, std::size_t>{"hand", 1}));
@@ -117,9 +118,9 @@ TEST(KAnonymity, ListsTheCausesOfSmallClasses) {
 }
 
 TEST(KAnonymity, RefusesTooFewPeople) {
-  EXPECT_FALSE(released({asIs("hand", Values(4, "r"))}, 4, 5));
-  EXPECT_THROW(released({asIs("hand", Values(4, "r"))}, 4, 1), std::invalid_argument);
-  EXPECT_THROW(released({asIs("hand", Values(4, "r"))}, 6, 5), std::invalid_argument);
+  EXPECT_FALSE(computeRelease({asIs("hand", Values(4, "r"))}, 4, 5));
+  EXPECT_THROW(computeRelease({asIs("hand", Values(4, "r"))}, 4, 1), std::invalid_argument);
+  EXPECT_THROW(computeRelease({asIs("hand", Values(4, "r"))}, 6, 5), std::invalid_argument);
 }
 
 questionnaires::Item years() {

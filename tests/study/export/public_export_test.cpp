@@ -46,11 +46,11 @@ class PublicExportTest : public testing::Test {
   std::map<std::string, std::string> exported(
       const std::string& name,
       ExportFormat format = ExportFormat::Csv,
-      std::size_t k = kSmallestPublicClass) {
+      std::size_t k = kSmallestPublicClassSize) {
     exportStudy(
         *study_,
         folder_ / name,
-        {.format = format, .runMode = RunMode::Simulated, .publicClass = k});
+        {.format = format, .runMode = RunMode::Simulated, .publicClassSize = k});
     return filesOf(folder_ / name);
   }
 
@@ -117,7 +117,7 @@ TEST(PublicExport, HasNoFreeTextAndNoUniqueNumbers) {
     tests::walkToTheEnd(session);
   }
   const tests::ScratchFolder folder;
-  exportStudy(*study, folder / "out", {.publicClass = kSmallestPublicClass});
+  exportStudy(*study, folder / "out", {.publicClassSize = kSmallestPublicClassSize});
   const auto files = filesOf(folder / "out");
   for (const auto& [name, content] : files) {
     for (const auto* secret : {"sentinel", "31.4", "33.4", "P001", "surgeons,", "PILOT"}) {
@@ -137,9 +137,9 @@ class SecondReleaseTest : public testing::Test {
     }
   }
   /// The refusal; empty if it was written.
-  std::string publish(const std::string& name, std::size_t k = kSmallestPublicClass) {
+  std::string publish(const std::string& name, std::size_t k = kSmallestPublicClassSize) {
     try {
-      exportStudy(*study_, folder_ / name, {.publicClass = k});
+      exportStudy(*study_, folder_ / name, {.publicClassSize = k});
       return "";
     } catch (const storage::StorageError& error) {
       EXPECT_FALSE(fs::exists(folder_ / name));
@@ -180,7 +180,7 @@ TEST_F(SecondReleaseTest, OfPilotsSaysNothingOfLiveSessions) {
     auto session = Session::enrol(*study_, {.cohort = "surgeons", .runMode = RunMode::Pilot});
     tests::walkToTheEnd(session);
   }
-  exportStudy(*study_, folder_ / "pilots", {.runMode = RunMode::Pilot, .publicClass = 5});
+  exportStudy(*study_, folder_ / "pilots", {.runMode = RunMode::Pilot, .publicClassSize = 5});
   takePart(1);
   EXPECT_EQ(publish("live"), "");
 }
@@ -256,7 +256,7 @@ TEST_F(PublicExportTest, HasNoSmallerClassesAndNoTraces) {
           {.runMode = RunMode::Simulated,
            .isBlinded = false,
            .hasTraces = true,
-           .publicClass = kSmallestPublicClass},
+           .publicClassSize = kSmallestPublicClassSize},
           "for a test"),
       storage::StorageError);
 }
@@ -271,8 +271,8 @@ TEST_F(PublicExportTest, IsWrittenIntoTheAuditTrail) {
 
 TEST_F(PublicExportTest, ReportsTheSizesOfClasses) {
   take(12);
-  const auto words = describe(
-      publicRelease(*study_, {.runMode = RunMode::Simulated, .publicClass = kSmallestPublicClass}));
+  const auto words = describe(publicRelease(
+      *study_, {.runMode = RunMode::Simulated, .publicClassSize = kSmallestPublicClassSize}));
   EXPECT_NE(
       words.find("As answered: 12 of 12 people in classes of fewer than 5"), std::string::npos)
       << words;

@@ -75,7 +75,7 @@ class ExportReadme : public testing::TestWithParam<Asked> {
         .runMode = RunMode::Simulated,
         .isBlinded = reader() != For::Unblinded,
         .hasTexts = reader() != For::Public};
-    if (reader() == For::Public) options.publicClass = kSmallestPublicClass;
+    if (reader() == For::Public) options.publicClassSize = kSmallestPublicClassSize;
     exportStudy(**made, folder_.string(), options, "for a test");
     readme_ = tests::contentOf(folder_ / "README.md");
     for (const auto& entry : fs::recursive_directory_iterator(folder_)) {

@@ -142,7 +142,7 @@ TEST_F(ExportedSites, AreInTheParticipantsOfBids) {
 
 TEST_F(ExportedSites, OfStrangersAreToldWhereEnoughPeopleShareThem) {
   take(20, 2);
-  const auto participants = exported("participants.csv", {.publicClass = 5});
+  const auto participants = exported("participants.csv", {.publicClassSize = 5});
   EXPECT_EQ(
       countsOf(participants, "site"), (std::map<std::string, int>{{"bergen", 10}, {"oslo", 10}}));
   std::map<std::vector<std::string>, int> classes;
@@ -155,7 +155,7 @@ TEST_F(ExportedSites, OfStrangersAreToldWhereEnoughPeopleShareThem) {
 /// Of two people at a site, each would be one of two.
 TEST_F(ExportedSites, OfFewPeopleAreNotToldStrangers) {
   take(20, 8);
-  const auto participants = exported("participants.csv", {.publicClass = 5});
+  const auto participants = exported("participants.csv", {.publicClassSize = 5});
   EXPECT_EQ(participants.rows.size(), 20U);
   EXPECT_EQ(countsOf(participants, "site").count("bergen"), 0U);
   const auto responses = analysis::readCsv(tests::contentOf(folder_ / "out/responses.csv"));

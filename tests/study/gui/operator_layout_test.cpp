@@ -349,7 +349,7 @@ TEST(FindingsDialog, ChecksAgainOnRequest) {
         .what = "port",
         .measured = isPlugged ? "open" : "none",
         .fix = isPlugged ? "" : "Plug the device in."};
-    return std::vector<FindingsDialog::Found>{{"punch", {result}}};
+    return std::vector<FindingsDialog::PartFindings>{{"punch", {result}}};
   };
   FindingsDialog dialog(check(), FindingsDialog::Question::StartDespiteFailures, check, nullptr);
   const auto* verdict = dialog.findChild<QLabel*>(QStringLiteral("verdict"));

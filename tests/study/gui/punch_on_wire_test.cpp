@@ -91,13 +91,13 @@ TEST_F(ConnectedPunch, RecoversFromBeingUnpluggedInATrial) {
 
   auto& controller = *window.controller();
   // A computer that stalls for longer than the punch's timeout also ends a trial: begin it again.
-  const auto felt = [&](const auto& isFelt) {
+  const auto felt = [&](const auto& isOnDevice) {
     if (controller.session().state() == SessionState::Interrupted) {
       controller.repeatStep(QStringLiteral("again"));
       QTest::qWait(100);
     }
     if (!controller.isTrialRunning()) controller.beginTrial();
-    return isFelt(controller.trialStatus());
+    return isOnDevice(controller.trialStatus());
   };
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return felt([](const auto& status) { return status.force > 0.5; }); }, 20'000));

@@ -180,7 +180,7 @@ class Windows {
          "faults that the board reports",
          "its encoder jumps",
          "Switch the punch off and on, then check again."}};
-    const std::vector<FindingsDialog::Found> found{{"punch", results}};
+    const std::vector<FindingsDialog::PartFindings> found{{"punch", results}};
     return make<FindingsDialog>(
         found, FindingsDialog::Question::StartDespiteFailures, [found] { return found; }, nullptr);
   }

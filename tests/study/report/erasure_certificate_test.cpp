@@ -25,7 +25,7 @@ ErasureCertificate certificate() {
       {.folder = "/disk/other",
        .outcome = ErasedCopy::Outcome::Failed,
        .whyNot = "It is another."}};
-  certificate.left = {
+  certificate.notErasedFrom = {
       {.folder = "/gone", .what = "made_backup", .madeUtc = "2026-11-21"},
       {.folder = {}, .what = "copied_consent", .madeUtc = "2026-11-22", .isPresent = true}};
   return certificate;

@@ -401,7 +401,7 @@ TEST_F(CopiedStudy, ListsEachCopyThatWasMadeAndNotNamed) {
   const auto report = eraseThem();
   const auto listed = [&](const std::vector<ErasedCopy>& done) {
     std::vector<std::string> copies;
-    for (const auto& copy : copiesLeft(*study_, done, "P001")) {
+    for (const auto& copy : copiesNotErased(*study_, done, "P001")) {
       copies.push_back(copy.what + " " + fs::path(copy.folder).filename().string());
     }
     return copies;

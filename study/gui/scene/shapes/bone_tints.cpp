@@ -25,7 +25,7 @@ float densityOf(const haptics::reaming::SphereField& field, std::size_t slot) {
 
 /// The interpolated colour at @p share of the way through @p stops.
 template <std::size_t N>
-Tint along(const std::array<Tint, N>& stops, float share) {
+Tint interpolateAlong(const std::array<Tint, N>& stops, float share) {
   const float at = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(N - 1);
   const auto low = std::min(static_cast<std::size_t>(at), N - 2);
   return blend(stops[low], stops[low + 1], at - static_cast<float>(low));
@@ -80,14 +80,14 @@ Tint BoneTints::of(std::size_t slot, bool isAtTheSurface) const {
   return kCortical;
 }
 
-Tint tintAfter(SphereColours colours, Tint tint, float whole, float left) {
+Tint tintAfter(SphereColours colours, Tint tint, float initialRadius, float left) {
   if (colours != SphereColours::Removal) return tint;
-  const float gone =
-      whole > 0.0F ? 1.0F - left / whole : 0.5F;  // 0.5: split off from another sphere
+  const float gone = initialRadius > 0.0F ? 1.0F - left / initialRadius
+                                          : 0.5F;  // 0.5: split off from another sphere
   return removalTint(gone);
 }
 
-Tint inTheGap(Tint tint, float openness) {
+Tint tintInGap(Tint tint, float openness) {
   const float shut = 1.0F - openness;
   return shaded(blend(tint, kMarrow, 0.35F * shut), 1.0F - 0.3F * shut);
 }
@@ -99,7 +99,7 @@ Tint scaleTint(float share) {
       Tint{33, 155, 150, 35},
       Tint{94, 201, 98, 35},
       Tint{253, 231, 37, 35}};
-  return along(kViridis, share);
+  return interpolateAlong(kViridis, share);
 }
 
 Tint untouchedTint() {
@@ -109,7 +109,7 @@ Tint untouchedTint() {
 Tint removalTint(float share) {
   constexpr std::array kYellowToRed{
       Tint{255, 226, 92, 35}, Tint{246, 150, 48, 35}, Tint{206, 66, 40, 35}, Tint{96, 8, 30, 35}};
-  return along(kYellowToRed, share);
+  return interpolateAlong(kYellowToRed, share);
 }
 
 }  // namespace study::gui::scene

@@ -33,13 +33,13 @@ class BoneTints {
   DensityRange range_;
 };
 
-/// The colour of a sphere with the initial colour @p tint and radius @p whole [mm] when its radius
-/// has become @p left [mm].
-Tint tintAfter(SphereColours colours, Tint tint, float whole, float left);
+/// The colour of a sphere with the initial colour @p tint and radius @p initialRadius [mm] when its
+/// radius has become @p left [mm].
+Tint tintAfter(SphereColours colours, Tint tint, float initialRadius, float left);
 
 /// The colour @p tint of neutral bone where less light reaches it between neighbours, from 0 (all
 /// around) to 1 (@p openness at the surface).
-Tint inTheGap(Tint tint, float openness);
+Tint tintInGap(Tint tint, float openness);
 
 /// The colour of a density from soft (0) to hard (1). The scale is viridis: its lightness rises
 /// evenly, so it can be read in grey and with colour blindness.

@@ -15,7 +15,7 @@
 
 namespace study::gui::scene {
 
-QVector3D onArc(const KneeLayout& layout, float angle, float radius) {
+QVector3D pointOnArc(const KneeLayout& layout, float angle, float radius) {
   constexpr float kDegree = 3.14159265F / 180.0F;
   const float a = kDegree * angle;
   return layout.arcCentre + radius * QVector3D(std::sin(a), 0.0F, -std::cos(a));
@@ -29,7 +29,7 @@ float plateauHeight(float x, float z) {
 QVector3D punchMouth(const KneeLayout& layout) {
   constexpr float kBiteIn = 1.9F;  // from the free edge [mm]
   constexpr float kAbove = 1.25F;  // of the lower jaw above the plateau [mm]
-  QVector3D mouth = onArc(layout, layout.toolAngle, layout.innerRadius + kBiteIn);
+  QVector3D mouth = pointOnArc(layout, layout.toolAngle, layout.innerRadius + kBiteIn);
   mouth.setY(plateauHeight(mouth.x(), mouth.z()) + kAbove);
   return mouth;
 }
@@ -65,7 +65,7 @@ constexpr Tint kCartilageShade{206, 196, 180, 190};
 constexpr Tint kSynoviumPale{226, 164, 146, 165};
 constexpr Tint kVessel{150, 52, 50, 150};
 
-/// Makes the side of @p mesh that most of it turns to @p place its front.
+/// Orients the triangles of @p mesh so that most of its area shows its front to @p place.
 void faceTo(Mesh& mesh, QVector3D place) {
   float facing = 0.0F;
   for (const auto& vertex : mesh.vertices)
@@ -127,7 +127,7 @@ Mesh plateauSurface(const KneeLayout& layout) {
       109,
       40,
       [&](float u, float v) {
-        QVector3D place = onArc(layout, angleAt(u), radiusAt(v));
+        QVector3D place = pointOnArc(layout, angleAt(u), radiusAt(v));
         place.setY(
             plateauHeight(place.x(), place.z()) +
             0.12F * noiseAt({0.2F * place.x(), 0.0F, 0.2F * place.z()}));
@@ -183,7 +183,7 @@ Mesh capsuleSurface(const KneeLayout& layout) {
         const float rise = riseAt(v);
         const float fold = 1.5F * noiseAt({0.06F * angle, 7.0F * rise, 0.0F}) +
                            0.5F * roughnessAt({0.16F * angle, 18.0F * rise, 5.0F}, 2);
-        QVector3D place = onArc(layout, angle, layout.outerRadius + 0.9F + fold + 3.0F * rise);
+        QVector3D place = pointOnArc(layout, angle, layout.outerRadius + 0.9F + fold + 3.0F * rise);
         place.setY(-3.0F + 36.0F * rise);
         return place;
       },
@@ -267,7 +267,7 @@ KneeSurfaces kneeSurfaces(const KneeLayout& layout, const protocols::Anatomy* ow
 namespace {
 
 /// A pseudo-random number in [0, 1] for each @p number.
-float drawn(std::uint32_t number) {
+float randomOf(std::uint32_t number) {
   std::uint32_t mixed = (number ^ (number >> 16U)) * 0x45d9f3bU;
   mixed = (mixed ^ (mixed >> 16U)) * 0x45d9f3bU;
   return static_cast<float>((mixed ^ (mixed >> 16U)) & 0xffffU) / 65535.0F;
@@ -296,8 +296,8 @@ void addGlints(Mesh& mesh, const Mesh& surface, const QMatrix4x4& view, float fi
   const QVector3D eye = view.inverted().map(QVector3D());
   for (std::uint32_t i = 0; i < kTries && count > 0; ++i) {
     const std::uint32_t number = 4 * i;
-    const auto chosen =
-        static_cast<std::size_t>(drawn(number) * static_cast<float>(surface.vertices.size() - 1));
+    const auto chosen = static_cast<std::size_t>(
+        randomOf(number) * static_cast<float>(surface.vertices.size() - 1));
     Vertex at = surface.vertices[chosen];
     const QVector3D seen = view.map(at.position);
     if (seen.toVector2D().length() > -widest * seen.z()) continue;
@@ -306,8 +306,9 @@ void addGlints(Mesh& mesh, const Mesh& surface, const QMatrix4x4& view, float fi
     if (facing < 0.0F) at.normal = -at.normal;  // a sheet is seen from either side
     constexpr float kGrazing = 0.2F;
     const float chance = std::abs(facing) < kGrazing ? 0.0F : facing * facing;
-    if (chance <= drawn(number + 1)) continue;
-    addGlint(mesh, at, toEye, 0.2F + 0.7F * drawn(number + 2), 0.25F + 0.3F * drawn(number + 3));
+    if (chance <= randomOf(number + 1)) continue;
+    addGlint(
+        mesh, at, toEye, 0.2F + 0.7F * randomOf(number + 2), 0.25F + 0.3F * randomOf(number + 3));
     --count;
   }
 }

@@ -24,7 +24,7 @@ struct KneeLayout {
 
 /// The point at distance @p radius [mm] from the arc's centre, @p angle [°] to the right of −z, at
 /// y = 0.
-QVector3D onArc(const KneeLayout& layout, float angle, float radius);
+QVector3D pointOnArc(const KneeLayout& layout, float angle, float radius);
 
 /// The height of the tibial plateau [mm].
 float plateauHeight(float x, float z);

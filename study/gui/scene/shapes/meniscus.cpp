@@ -119,7 +119,7 @@ Meniscus::Column Meniscus::column(
     float angle, float radius, float fullness, const TissueLoad& squeeze) const {
   const float share = std::clamp(
       (radius - layout_.innerRadius) / (layout_.outerRadius - layout_.innerRadius), 0.0F, 1.0F);
-  Column column{onArc(layout_, angle, radius), {}};
+  Column column{pointOnArc(layout_, angle, radius), {}};
   column.low.setY(plateauHeight(column.low.x(), column.low.z()) + 0.02F);
   column.high = column.low;
   // The capsule holds the tissue at its rim.

@@ -20,7 +20,7 @@ PlaceKey keyOf(const QVector3D& v) {
 }
 
 /// An index for each vertex, the same for vertices at the same position.
-std::vector<std::uint32_t> welded(const Mesh& mesh) {
+std::vector<std::uint32_t> weldedIndices(const Mesh& mesh) {
   std::map<PlaceKey, std::uint32_t> places;
   std::vector<std::uint32_t> place;
   place.reserve(mesh.vertices.size());
@@ -86,7 +86,7 @@ void smoothen(Mesh& mesh) {
 }
 
 void crease(Mesh& mesh, float angle) {
-  const auto place = welded(mesh);
+  const auto place = weldedIndices(mesh);
   std::vector<QVector3D> normals;
   std::map<std::uint32_t, std::vector<std::size_t>> around;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -123,7 +123,7 @@ void crease(Mesh& mesh, float angle) {
   mesh = std::move(creased);
 }
 
-Mesh seenWithin(const Mesh& mesh, const QMatrix4x4& view, float field) {
+Mesh visiblePart(const Mesh& mesh, const QMatrix4x4& view, float field) {
   // A triangle is outside if all of its corners are beyond one of the planes around the cone.
   constexpr std::uint32_t kPlanes = 12;
   constexpr float kTurn = 6.2831853F;

@@ -54,9 +54,9 @@ void smoothen(Mesh& mesh);
 /// to its own triangle is less than @p angle [°]. Round surfaces look round and edges stay sharp.
 void crease(Mesh& mesh, float angle);
 
-/// What of @p mesh may be seen from the eye of @p view, within a cone of half @p field [°] around
-/// its axis. Triangles outside are left out, as are vertices without a triangle.
-Mesh seenWithin(const Mesh& mesh, const QMatrix4x4& view, float field);
+/// The part of @p mesh that the eye of @p view may see: the triangles within a cone of half @p
+/// field [°] around its axis. Other triangles are left out, as are vertices without a triangle.
+Mesh visiblePart(const Mesh& mesh, const QMatrix4x4& view, float field);
 
 /// The volume of a closed surface [mm³]; negative if its triangles face inwards.
 double volumeOf(const Mesh& mesh);

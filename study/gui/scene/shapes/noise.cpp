@@ -7,7 +7,7 @@ namespace study::gui::scene {
 namespace {
 
 /// A pseudo-random number in [−1, 1] for a point of the lattice.
-float atLattice(std::int32_t x, std::int32_t y, std::int32_t z) {
+float latticeNoise(std::int32_t x, std::int32_t y, std::int32_t z) {
   auto mixed = static_cast<std::uint32_t>(x) * 0x8da6b343U ^
                static_cast<std::uint32_t>(y) * 0xd8163841U ^
                static_cast<std::uint32_t>(z) * 0xcb1ab31fU;
@@ -31,7 +31,7 @@ float noiseAt(QVector3D place) {
   QVector3D share = place - low;
   share *= share * (QVector3D(3.0F, 3.0F, 3.0F) - 2.0F * share);
   const auto alongX = [&](std::int32_t j, std::int32_t k) {
-    return mixed(atLattice(x, j, k), atLattice(x + 1, j, k), share.x());
+    return mixed(latticeNoise(x, j, k), latticeNoise(x + 1, j, k), share.x());
   };
   const auto alongY = [&](std::int32_t k) {
     return mixed(alongX(y, k), alongX(y + 1, k), share.y());

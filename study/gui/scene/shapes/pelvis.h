@@ -4,7 +4,8 @@
 
 namespace study::gui::scene {
 
-/// What is seen of the pelvis around a cup of radius @p inner [mm] that is cut open at y = 0 and
+/// The visible part of the pelvis around a cup of radius @p inner [mm] that is cut open at y = 0
+/// and
 /// opens towards −z: its section, with the roots of the ilium (−x) and the ischium (+x), and its
 /// rim with the notch. Other surfaces would only cost time.
 Mesh pelvisAround(float inner);

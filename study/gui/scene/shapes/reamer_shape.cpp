@@ -173,7 +173,7 @@ Mesh reamerOutline(float radius) {
     const float angle = kPi * static_cast<float>(i) / 16.0F;
     arc.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0F);
   }
-  const Mesh meridian = bent(arc, std::vector<float>(arc.size(), kWire));
+  const Mesh meridian = bentTube(arc, std::vector<float>(arc.size(), kWire));
   for (const float azimuth : {0.0F, 60.0F, 120.0F}) {
     Mesh upright = meridian;
     QMatrix4x4 pose;  // its top from y to z

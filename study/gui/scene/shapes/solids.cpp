@@ -14,7 +14,7 @@ std::uint32_t asIndex(std::size_t i) {
   return static_cast<std::uint32_t>(i);
 }
 
-Mesh placesOf(const std::vector<Ring>& rings) {
+Mesh pointsOf(const std::vector<Ring>& rings) {
   Mesh mesh;
   for (const auto& ring : rings) {
     for (const auto& place : ring) mesh.vertices.push_back({place, {}, {}});
@@ -72,7 +72,7 @@ void orientOutwards(Mesh& mesh) {
 }  // namespace
 
 Mesh loft(const std::vector<Ring>& rings) {
-  Mesh mesh = placesOf(rings);
+  Mesh mesh = pointsOf(rings);
   const std::size_t corners = rings.front().size();
   for (std::size_t i = 0; i + 1 < rings.size(); ++i) join(mesh, corners, i, i + 1);
   cap(mesh, corners, 0, true);
@@ -82,7 +82,7 @@ Mesh loft(const std::vector<Ring>& rings) {
 }
 
 Mesh loop(const std::vector<Ring>& rings) {
-  Mesh mesh = placesOf(rings);
+  Mesh mesh = pointsOf(rings);
   for (std::size_t i = 0; i < rings.size(); ++i) {
     join(mesh, rings.front().size(), i, (i + 1) % rings.size());
   }
@@ -126,7 +126,7 @@ Mesh rod(float from, float to, float radius, int corners) {
   return loft(rings);
 }
 
-Mesh bent(const std::vector<QVector3D>& path, const std::vector<float>& radii) {
+Mesh bentTube(const std::vector<QVector3D>& path, const std::vector<float>& radii) {
   constexpr int kPerPoint = 6;
   const auto last = static_cast<int>(path.size()) - 1;
   const QVector3D out(0, 0, 1);

@@ -30,7 +30,7 @@ Ring slab(float x, float low, float high, float half, float rounding);
 Mesh rod(float from, float to, float radius, int corners = 24);
 
 /// A tube along a smooth curve through @p path, which lies in the x-y plane [mm].
-Mesh bent(const std::vector<QVector3D>& path, const std::vector<float>& radii);
+Mesh bentTube(const std::vector<QVector3D>& path, const std::vector<float>& radii);
 
 /// A finger ring in the x-y plane [mm].
 Mesh fingerRing(QVector3D centre, float radius, float thickness);

@@ -60,7 +60,7 @@ void SphereCloud::readSlots(const haptics::reaming::SphereField& field) {
     slot.sphere.y = kMillimetres * group.y[lane];
     slot.sphere.z = kMillimetres * group.z[lane];
     slot.sphere.radius = kMillimetres * group.radius[lane];
-    slot.whole = slot.sphere.radius;
+    slot.initialRadius = slot.sphere.radius;
   }
 }
 
@@ -71,12 +71,12 @@ void SphereCloud::layGrid() {
   QVector3D high = -low;
   float sum = 0.0F;
   float count = 0.0F;
-  for (const auto& [sphere, whole, cell, instance, tint] : slots_) {
-    if (whole <= 0.0F) continue;
+  for (const auto& [sphere, initialRadius, cell, instance, tint] : slots_) {
+    if (initialRadius <= 0.0F) continue;
     low = {std::min(low.x(), sphere.x), std::min(low.y(), sphere.y), std::min(low.z(), sphere.z)};
     high = {
         std::max(high.x(), sphere.x), std::max(high.y(), sphere.y), std::max(high.z(), sphere.z)};
-    sum += whole;
+    sum += initialRadius;
     count += 1.0F;
   }
   const QVector3D size = high - low;
@@ -93,7 +93,7 @@ void SphereCloud::layGrid() {
 
 void SphereCloud::paintSlots(const haptics::reaming::SphereField& field) {
   counts_.assign(grid_.size(), 0);
-  for (const auto& slot : slots_) counts_[slot.cell] += slot.whole > 0.0F ? 1U : 0U;
+  for (const auto& slot : slots_) counts_[slot.cell] += slot.initialRadius > 0.0F ? 1U : 0U;
   const BoneTints tints(field, options_.colours);
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     int empty = 0;
@@ -221,7 +221,7 @@ void SphereCloud::show(std::uint32_t slot) {
     // Less light reaches the bottom of the cavity.
     const float depth = std::clamp(it.sphere.y / kDarkest, 0.0F, 1.0F);
     instances_[instance].tint =
-        inTheGap(it.sphere.tint, (1.0F - 0.55F * depth) * opennessOf(it.cell));
+        tintInGap(it.sphere.tint, (1.0F - 0.55F * depth) * opennessOf(it.cell));
   }
   markChanged(instance);
 }
@@ -282,8 +282,8 @@ void SphereCloud::apply(const haptics::engine::SphereChange& change) {
       .y = kMillimetres * change.sphere.y,
       .z = kMillimetres * change.sphere.z,
       .radius = kMillimetres * change.sphere.radius,
-      .tint =
-          tintAfter(options_.colours, slot.tint, slot.whole, kMillimetres * change.sphere.radius)};
+      .tint = tintAfter(
+          options_.colours, slot.tint, slot.initialRadius, kMillimetres * change.sphere.radius)};
   if (wasKept) {
     --counts_[from];
     uncover(from);

@@ -76,7 +76,7 @@ class SphereCloud {
   };
   struct Slot {
     SphereInstance sphere;
-    float whole = 0.0F;          ///< initial radius [mm]
+    float initialRadius = 0.0F;  ///< initial radius [mm]
     std::uint32_t cell = 0;      ///< index in the grid
     std::int32_t instance = -1;  ///< −1: not drawn
     Tint tint;                   ///< initial colour
@@ -107,7 +107,7 @@ class SphereCloud {
   std::vector<std::vector<std::uint32_t>> cells_;  ///< slots that are or were in each cell
   std::vector<std::uint32_t> counts_;              ///< number of spheres in each cell now
   std::vector<float> filled_;                      ///< cubed radii in each cell now [mm³]
-  float fullCell_ = 1.0F;                          ///< mean of the same at the beginning
+  float fullCell_ = 1.0F;                          ///< mean of filled_ at the beginning [mm³]
   std::vector<char> isUncovered_;                  ///< whether a cell's spheres are drawn
   std::vector<SphereInstance> instances_;
   std::vector<std::uint32_t> free_;  ///< unused instances

@@ -20,7 +20,7 @@ constexpr float kRodStroke = 3.2F;   // [mm]
 constexpr float kPivotHeight = 0.35F;
 const QVector3D kLeverPivot(-112.0F, -3.0F, 0.0F);
 
-Mesh finished(Mesh mesh, Tint tint, float angle = 35.0F) {
+Mesh creasedAndTinted(Mesh mesh, Tint tint, float angle = 35.0F) {
   paint(mesh, tint);
   crease(mesh, angle);
   return mesh;
@@ -48,7 +48,7 @@ Ring trough(float x, float low, float rim, float half) {
 
 /// A basket that is open at the top; the upper jaw closes into it.
 Mesh lowerJaw() {
-  return finished(
+  return creasedAndTinted(
       loft(
           {trough(-3.4F, -1.9F, -0.95F, 1.36F),
            trough(0.9F, -1.75F, -0.6F, 1.36F),
@@ -73,7 +73,7 @@ Mesh atTheHinge(float radius, float from, float to) {
 }
 
 Mesh upperJaw() {
-  Mesh jaw = finished(
+  Mesh jaw = creasedAndTinted(
       loft(
           {slab(-0.9F, -0.55F, 1.15F, 1.2F, 0.5F),
            slab(0.6F, -0.42F, 1.5F, 1.3F, 0.55F),
@@ -84,7 +84,7 @@ Mesh upperJaw() {
            slab(8.3F, -0.27F, 0.7F, 0.8F, 0.36F),
            slab(8.75F, -0.22F, 0.44F, 0.42F, 0.26F)}),
       kJawSteel);
-  append(jaw, finished(atTheHinge(1.25F, -1.3F, 1.3F), kJawSteel));
+  append(jaw, creasedAndTinted(atTheHinge(1.25F, -1.3F, 1.3F), kJawSteel));
   return jaw;
 }
 
@@ -104,22 +104,22 @@ Mesh prong(float from, float to) {
 
 /// The tube, and the fork at its end with the pin of the hinge.
 Mesh shaft() {
-  Mesh mesh = finished(rod(-122.0F, -8.4F, 2.1F), kSteel);
+  Mesh mesh = creasedAndTinted(rod(-122.0F, -8.4F, 2.1F), kSteel);
   QMatrix4x4 below;
   below.translate(0.0F, -0.4F, 0.0F);
   place(mesh, below);
   append(
       mesh,
-      finished(
+      creasedAndTinted(
           loft(
               {slab(-8.6F, -2.44F, 1.64F, 2.06F, 2.04F),
                slab(-7.4F, -2.4F, 1.6F, 2.08F, 1.7F),
                slab(-5.6F, -2.15F, 1.5F, 2.08F, 0.9F),
                slab(-4.9F, -1.95F, 1.3F, 2.02F, 0.8F)}),
           kSteel));
-  append(mesh, finished(prong(1.42F, 2.0F), kSteel));
-  append(mesh, finished(prong(-2.0F, -1.42F), kSteel));
-  append(mesh, finished(atTheHinge(0.72F, -2.16F, 2.16F), kDarkSteel));
+  append(mesh, creasedAndTinted(prong(1.42F, 2.0F), kSteel));
+  append(mesh, creasedAndTinted(prong(-2.0F, -1.42F), kSteel));
+  append(mesh, creasedAndTinted(atTheHinge(0.72F, -2.16F, 2.16F), kDarkSteel));
   return mesh;
 }
 
@@ -135,11 +135,11 @@ Mesh pushRod() {
           {slab(-6.0F, 0.8F, 1.9F, 0.55F, 0.3F),
            slab(-3.0F, 0.9F, 1.9F, 0.5F, 0.3F),
            slab(-0.4F, 0.7F, 1.5F, 0.45F, 0.3F)}));
-  return finished(std::move(mesh), kDarkSteel);
+  return creasedAndTinted(std::move(mesh), kDarkSteel);
 }
 
 Mesh fixedHandle() {
-  Mesh handle = finished(
+  Mesh handle = creasedAndTinted(
       loft(
           {slab(-130.0F, -5.4F, 1.8F, 1.6F, 1.5F),
            slab(-129.4F, -7.0F, 3.2F, 2.8F, 2.4F),
@@ -153,8 +153,8 @@ Mesh fixedHandle() {
       60.0F);
   append(
       handle,
-      finished(
-          bent(
+      creasedAndTinted(
+          bentTube(
               {{-122, -4, 0},
                {-127, -18, 0},
                {-131, -34, 0},
@@ -163,13 +163,13 @@ Mesh fixedHandle() {
                {-134.4F, -59, 0}},
               {3.4F, 3.0F, 2.6F, 2.3F, 2.7F, 1.2F}),
           kSteel));
-  append(handle, finished(fingerRing({-136, -71, 0}, 12.0F, 2.4F), kSteel));
+  append(handle, creasedAndTinted(fingerRing({-136, -71, 0}, 12.0F, 2.4F), kSteel));
   return handle;
 }
 
 Mesh movingHandle() {
-  Mesh lever = finished(
-      bent(
+  Mesh lever = creasedAndTinted(
+      bentTube(
           {{-112, 1, 0},
            {-112, -8, 0},
            {-109, -22, 0},
@@ -179,13 +179,13 @@ Mesh movingHandle() {
            {-107.9F, -59, 0}},
           {2.4F, 3.2F, 2.9F, 2.6F, 2.3F, 2.7F, 1.2F}),
       kSteel);
-  append(lever, finished(fingerRing({-109, -71, 0}, 12.0F, 2.4F), kSteel));
+  append(lever, creasedAndTinted(fingerRing({-109, -71, 0}, 12.0F, 2.4F), kSteel));
   Mesh pin = rod(-4.6F, 4.6F, 2.4F, 24);
   QMatrix4x4 across;
   across.translate(kLeverPivot);
   across.rotate(90.0F, 0.0F, 1.0F, 0.0F);
   place(pin, across);
-  append(lever, finished(std::move(pin), kDarkSteel));
+  append(lever, creasedAndTinted(std::move(pin), kDarkSteel));
   return lever;
 }
 

@@ -82,7 +82,7 @@ TEST_F(ProtocolWindowTest, FillsOfTheBarWhatTheSentenceNamesAsTimeOnTheDevice) {
   double felt = 0.0;
   for (const auto& part : window.findChild<TimelineBar*>()->parts()) {
     seconds += part.seconds();
-    for (const auto& stretch : part.periods) felt += stretch.isFelt ? stretch.seconds : 0.0;
+    for (const auto& stretch : part.periods) felt += stretch.isOnDevice ? stretch.seconds : 0.0;
   }
   EXPECT_NEAR(seconds, length.seconds, 1e-6);
   EXPECT_NEAR(felt, length.secondsOnDevice, 1e-6);

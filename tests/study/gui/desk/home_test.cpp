@@ -351,7 +351,7 @@ TEST_F(HomeTest, ShowsHowFarEachCohortHasComeAndWhatWasWritten) {
   EXPECT_TRUE(summary.lastSessionUtc.empty()) << "simulated sessions have a time of their own";
   EXPECT_EQ(summary.blanks, 10U);
   EXPECT_EQ(home.findChildren<QProgressBar*>().size(), 2);
-  EXPECT_EQ(listOf(home)->item(0, 0)->data(StudyList::kShare), QVariant(0.0))
+  EXPECT_EQ(listOf(home)->item(0, 0)->data(StudyList::kShareRole), QVariant(0.0))
       << "the bar in the list";
   const auto documents = home.findChildren<WrittenFile*>();
   ASSERT_EQ(documents.size(), 1) << "a file that is gone is not offered";
@@ -441,7 +441,7 @@ TEST_F(HomeTest, SaysHowFarAStudyHasComeOnADayOfSessions) {
   home.choose(other);
   home.choose(folder);
   EXPECT_EQ(sessionsInWords(summaryOf(folder.toStdString())), "3 of 11 completed; 1 unfinished");
-  EXPECT_EQ(listOf(home)->item(0, 0)->data(StudyList::kShare).toDouble(), 3.0 / 11.0)
+  EXPECT_EQ(listOf(home)->item(0, 0)->data(StudyList::kShareRole).toDouble(), 3.0 / 11.0)
       << "the bar shows what the words say";
   QCoreApplication::processEvents();
   const auto* make = home.findChild<QPushButton*>(QStringLiteral("new-study"));

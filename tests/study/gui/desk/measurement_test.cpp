@@ -193,7 +193,7 @@ TEST_F(MeasurementTest, ImportsTheChosenOneOfTwoColumnsWithTheSameHeading) {
   const auto file = folder_.write(
       "table.csv", "t_s;jaw;jaw;load_N\n0;5;0;0\n0.1;5;2;0.5\n0.2;5;8;1\n0.3;5;10;2\n");
   ColumnsForm form;
-  ASSERT_TRUE(form.offer(file));
+  ASSERT_TRUE(form.offerColumnsOf(file));
   form.findChild<QComboBox*>(QStringLiteral("travel"))->setCurrentIndex(2);
   const auto recording = readRecordingWithColumns(file, form.columns());
   ASSERT_EQ(recording.rows.size(), 4U);

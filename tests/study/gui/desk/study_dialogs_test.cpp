@@ -461,8 +461,8 @@ TEST_F(StudyDialogsTest, ExportShowsWhoIsIdentifiableBeforeWriting) {
   std::string expected;
   {
     auto study = Study::open(this->study(), clock, storage::Database::Access::ReadOnly);
-    expected =
-        study::describe(publicRelease(study, {.runMode = RunMode::Simulated, .publicClass = 5}));
+    expected = study::describe(
+        publicRelease(study, {.runMode = RunMode::Simulated, .publicClassSize = 5}));
   }
   EXPECT_EQ(more(dialog).trimmed().toStdString() + "\n", expected);
   QTest::qWait(1);  // sizes follow what is shown

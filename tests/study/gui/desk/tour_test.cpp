@@ -97,11 +97,11 @@ TEST_F(TourTest, ShowsAnEmptyRecordWithoutATrial) {
 }
 
 TEST_F(TourTest, IsOfferedOnce) {
-  EXPECT_TRUE(Tour::isNew());
+  EXPECT_TRUE(Tour::isUnseen());
   Tour tour;
   tour.show();
   tour.reject();
-  EXPECT_FALSE(Tour::isNew());
+  EXPECT_FALSE(Tour::isUnseen());
 }
 
 TEST_F(TourTest, NamesNoCondition) {

@@ -467,11 +467,11 @@ TEST_F(OptionalTrialPages, WriteACopyOfTheConsentOnRequest) {
   std::string head(5, ' ');
   file.read(head.data(), 5);
   EXPECT_EQ(head, "%PDF-");
-  const auto left = copiesLeft(study_, {}, code);
+  const auto left = copiesNotErased(study_, {}, code);
   ASSERT_EQ(left.size(), 1U) << "an erasure has to list it";
   EXPECT_EQ(left[0].what, "copied_consent");
   EXPECT_THROW(writeConsentCopy(study_, code, pdf), storage::StorageError) << "the file exists";
-  EXPECT_EQ(copiesLeft(study_, {}, code).size(), 1U) << "what was not written is not listed";
+  EXPECT_EQ(copiesNotErased(study_, {}, code).size(), 1U) << "what was not written is not listed";
 }
 
 }  // namespace participant_window_test

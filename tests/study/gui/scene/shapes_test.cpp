@@ -59,7 +59,7 @@ TEST(Meshes, KeepOnlyWhatMayBeSeen) {
   add({-50, -50, -10}, {50, -50, -10}, {0, 90, -10});  // all around it
   add({20, 0, -10}, {21, 0, -10}, {20, 1, -10});       // beside the field
   add({1, 0, 10}, {2, 0, 10}, {1, 1, 10});             // behind the eye
-  const Mesh seen = seenWithin(mesh, view, 45.0F);
+  const Mesh seen = visiblePart(mesh, view, 45.0F);
   ASSERT_EQ(seen.triangles.size(), 2U);
   EXPECT_EQ(seen.vertices.size(), 6U);
   EXPECT_EQ(seen.vertices[seen.triangles[1].c].position, QVector3D(0, 90, -10));

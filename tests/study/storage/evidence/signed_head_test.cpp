@@ -71,7 +71,7 @@ TEST_F(SignedHeadTest, IsLeftOutOfAListThatWasChanged) {
   station_.append("heads-" + study_->uuid(), head_.asLine().substr(0, 90));
   const auto noted = readRecordedHeads(station_, study_->uuid());
   EXPECT_EQ(noted.heads.size(), 1U);
-  EXPECT_EQ(noted.unsound, 2U);
+  EXPECT_EQ(noted.unsoundLines, 2U);
 }
 
 TEST_F(SignedHeadTest, LeadsToNoFileOutsideOfTheStation) {
