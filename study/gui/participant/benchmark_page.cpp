@@ -10,13 +10,14 @@ namespace study::gui {
 BenchmarkPage::BenchmarkPage(const Content& content, QWidget* picture, QWidget* parent)
     : QWidget(parent),
       minimumCuts_(content.minimumCuts),
-      stage_(new Stage(tr("The real instrument"), picture, Stage::Panel::Card, this)),
+      stage_(new Stage(tr("Benchmark: real cuts"), picture, Stage::Panel::Card, this)),
       count_(new CutCounter(content.minimumCuts, {tr("cut"), tr("cuts")}, this)),
       enough_(bodyLabel(tr("That is enough. Press Next, or make more cuts first."), this)),
       next_(new QPushButton(content.next, this)) {
   addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
+  stage_->setCaption(tr("The real instrument"));
   auto* text = textLabel(content.text, this);
-  auto* key = bodyLabel(tr("You will compare with these cuts."), this);
+  auto* key = bodyLabel(tr("You will compare every alternative with these cuts."), this);
   text->setProperty("role", QStringLiteral("statement"));
   key->setProperty("role", QStringLiteral("key"));
   enough_->setProperty("role", QStringLiteral("text"));
@@ -33,7 +34,7 @@ void BenchmarkPage::setCuts(int cuts) {
   enough_->setVisible(left <= 0);
   next_->setEnabled(left <= 0);
   stage_->setReason(
-      left > 0 ? tr("The researcher counts your cuts: %1 to go").arg(left) : QString());
+      left > 0 ? tr("The researcher counts your cuts: %1 left").arg(left) : QString());
 }
 
 }  // namespace study::gui

@@ -73,9 +73,15 @@ void PointItem::addWordsBelow(int columns, const QString& low, const QString& hi
     words->addWidget(word, 0, i);
   }
   if (!isEachLabelled) {
-    const int half = std::max(1, columns / 2);
-    words->addWidget(anchor(low, Qt::AlignLeft, this), 0, 0, 1, half);
-    words->addWidget(anchor(high, Qt::AlignRight, this), 0, columns - half, 1, half);
+    constexpr int kFewPoints = 5;  // each is wide enough for the words of an end
+    const bool isWide = columns <= kFewPoints;
+    const int across = isWide ? 1 : columns / 2;
+    auto* left = anchor(low, isWide ? Qt::AlignHCenter : Qt::AlignLeft, this);
+    auto* right = anchor(high, isWide ? Qt::AlignHCenter : Qt::AlignRight, this);
+    for (auto* word : {left, right})
+      word->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    words->addWidget(left, 0, 0, 1, across);
+    words->addWidget(right, 0, columns - across, 1, across);
   }
   rows().addLayout(words);
 }

@@ -71,6 +71,7 @@ void ItemWidget::remarkOn(const QString& remark) {
 void ItemWidget::putBesideField(QWidget& widget) {
   const std::unique_ptr<QLayoutItem> field(rows_->takeAt(rows_->count() - 1));
   auto* row = new QHBoxLayout;
+  row->setSpacing(scaled(*this, 16));
   row->addWidget(field->widget(), 1);
   row->addWidget(&widget);
   rows_->addLayout(row);

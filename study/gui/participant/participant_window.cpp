@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -22,6 +21,7 @@
 #include "study/gui/participant/blank_text.h"
 #include "study/gui/participant/column.h"
 #include "study/gui/participant/questionnaire_page.h"
+#include "study/gui/participant/rounds.h"
 #include "study/gui/participant/thanks_page.h"
 #include "study/gui/participant/trial_page.h"
 #include "study/gui/session/tool_picture.h"
@@ -41,13 +41,13 @@ ParticipantWindow::ParticipantWindow(
       controller_(controller),
       moveHand_(std::move(moveHand)),
       progress_(new QProgressBar(this)),
-      step_(quietLabel({}, this)),
+      step_(bodyLabel({}, this)),
       languages_(new QComboBox(this)),
       rows_(new QVBoxLayout(this)),
       place_(new QVBoxLayout),
       fold_(new QFrame(this)),
       bottom_(new QWidget(this)),
-      remark_(quietLabel({}, this)),
+      remark_(bodyLabel({}, this)),
       back_(new QPushButton(this)),
       next_(new QPushButton(this)),
       operator_(new QPushButton(this)),
@@ -69,9 +69,14 @@ ParticipantWindow::ParticipantWindow(
   auto* header = new QWidget(this);
   auto* top = new QHBoxLayout;
   step_->setWordWrap(false);
-  top->setSpacing(18);
-  top->addWidget(progress_, 1);
-  top->addWidget(step_);
+  auto* end = new QHBoxLayout;
+  for (auto* row : {top, end}) row->setSpacing(18);
+  constexpr int kOfProgress = 11;  // shares of the width, so that the bar ends at one place
+  constexpr int kOfEnd = 9;
+  top->addWidget(progress_, kOfProgress);
+  top->addLayout(end, kOfEnd);
+  end->addStretch(1);
+  end->addWidget(step_);
   languages_->setProperty("role", QStringLiteral("language"));
   languages_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // the font grows with the window
   // The arrow grows as well, but Qt reserves only the width of a small one. A minimum length, in
@@ -81,8 +86,8 @@ ParticipantWindow::ParticipantWindow(
     longest = std::max(longest, static_cast<int>(languages_->itemText(i).size()));
   }
   languages_->setMinimumContentsLength(longest);
-  top->addWidget(languages_);
-  top->addWidget(operator_);
+  end->addWidget(languages_);
+  end->addWidget(operator_);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(16);
   buttons->addWidget(back_);
@@ -153,6 +158,9 @@ void ParticipantWindow::adjustScale() {
   for (auto* frame : {rows_->itemAt(0)->widget(), bottom_}) spaceOut(*frame, ratio);
   scale_ = scale;
   setWindowTheme(*this, ThemeName::Light, scale);  // the same for each participant
+  // As high on each page as with the languages, so that all titles are at one height.
+  languages_->ensurePolished();
+  rows_->itemAt(0)->widget()->setMinimumHeight(languages_->sizeHint().height());
   const int above = scaled(*this, 14);
   rows_->setContentsMargins(scaled(*this, 8), above, scaled(*this, 8), above);
   rows_->setSpacing(0);
@@ -173,6 +181,16 @@ QString ParticipantWindow::alternativeName(const QString& label) const {
   const auto& session = controller_.session();
   return QString::fromStdString(
       session.protocol().protocol.labels.nameOf(label.toStdString(), session.language()));
+}
+
+/// "Alternative 1 of 3" if the number is the place in the round, and else only the name.
+QString ParticipantWindow::alternativeTitle() const {
+  const auto& session = controller_.session();
+  const auto name = alternativeName(QString::number(session.step().label));
+  const auto place = placeOf(session);
+  return place.position > 0 && isLabelledByPosition(session)
+             ? tr("%1 of %2").arg(name).arg(place.alternatives)
+             : name;
 }
 
 void ParticipantWindow::retranslate() {
@@ -338,55 +356,6 @@ QWidget* ParticipantWindow::makePage() {
   }
 }
 
-/// The trials before the current step, without optional repetitions.
-static std::vector<Step> trialsBefore(const Session& session) {
-  std::vector<Step> trials;
-  for (int i = 0; i < session.stepIndex(); ++i) {
-    const auto& step = session.plan()[static_cast<std::size_t>(i)];
-    if (step.kind == StepKind::Trial && !step.isOptionalTrial) trials.push_back(step);
-  }
-  return trials;
-}
-
-static bool isLabelledByPosition(const Session& session) {
-  return session.protocol().protocol.labels.policy == protocols::LabelPolicy::Position;
-}
-
-/// Whether the step is the first trial of a block whose labels an earlier block had for its own.
-static bool isNumberedAnew(const Session& session) {
-  const auto& step = session.step();
-  return isLabelledByPosition(session) && !step.isOptionalTrial && step.position == 1 &&
-         !trialsBefore(session).empty();
-}
-
-/// Whether the step is a preference whose labels number the alternatives in the order of the latest
-/// block.
-static bool isNumberedInFeltOrder(const Session& session) {
-  const auto& step = session.step();
-  if (step.kind != StepKind::Preference || !isLabelledByPosition(session)) return false;
-  const auto trials = trialsBefore(session);
-  return !trials.empty() &&
-         session.protocol().protocol.phase(step.phase)->block == trials.back().phase;
-}
-
-/// When each alternative of the latest block was felt, from 0, by its label: for a preference whose
-/// labels do not say it, if each was felt once.
-static std::map<std::string, int> feltOrder(const Session& session) {
-  const auto& step = session.step();
-  std::map<std::string, int> order;
-  const auto trials = trialsBefore(session);
-  if (step.kind != StepKind::Preference || isLabelledByPosition(session) || trials.empty()) {
-    return order;
-  }
-  const auto& block = session.protocol().protocol.phase(step.phase)->block;
-  int place = 0;
-  for (const auto& trial : trials) {
-    if (trial.phase != block) continue;
-    if (!order.emplace(std::to_string(trial.label), place++).second) return {};
-  }
-  return order;
-}
-
 static QString whenFelt(int place) {
   const std::array words{
       ParticipantWindow::tr("felt first"),
@@ -395,13 +364,6 @@ static QString whenFelt(int place) {
       ParticipantWindow::tr("felt fourth")};
   const auto index = static_cast<std::size_t>(place);
   return index < words.size() ? words[index] : QString();
-}
-
-static bool hasTrialsLeft(const Session& session) {
-  const auto& plan = session.plan();
-  return std::any_of(plan.begin() + session.stepIndex(), plan.end(), [](const Step& step) {
-    return step.kind == StepKind::Trial && !step.isOptionalTrial;
-  });
 }
 
 QWidget* ParticipantWindow::makeQuestionnaire() {
@@ -415,17 +377,25 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
       .language = QString::fromStdString(session.language()),
       .before = session.answers()};
   if (session.step().kind == StepKind::Questionnaire) {
-    content.title = alternativeName(QString::number(session.step().label));
+    content.title = alternativeTitle();
   }
   QStringList hints;
+  if (session.step().kind == StepKind::Questionnaire)
+    hints << tr("You can change your answers until you press Next.");
   if (isNumberedInFeltOrder(session))
     hints << tr("The numbers are in the order in which you felt them.");
   if (session.step().kind == StepKind::Preference) {
     hints << tr("If you are unsure, follow your first impression.");
-    if (hasTrialsLeft(session)) hints << tr("There is another round after this page.");
+    if (const auto* next = nextTrial(session)) {
+      hints << tr("There is another round after this page.")
+            << (keepsNumbers(session, *next) ? tr("In it the numbers stay the same.")
+                                             : tr("In it the numbers start again."));
+    }
   }
-  if (!content.introduction.isEmpty()) hints.prepend(content.introduction);
-  content.introduction = hints.join(QStringLiteral("\n\n"));
+  const bool isLong = content.introduction.contains(u'\n');
+  if (!content.introduction.isEmpty() && !hints.isEmpty())
+    content.introduction += isLong ? QStringLiteral("\n\n") : QStringLiteral(" ");
+  content.introduction += hints.join(QLatin1Char(' '));
   const auto order = feltOrder(session);
   for (const auto& label : session.step().alternatives) {
     const auto place = order.find(label);
@@ -453,6 +423,7 @@ QWidget* ParticipantWindow::makeTrialPage() {
   auto* picture = viewOfTrial(controller_, this);
   trialPage_ = new TrialPage(
       {.name = alternativeName(QString::number(step.label)),
+       .title = alternativeTitle(),
        .minimumCuts = step.minimumCuts,
        .isOptionalTrial = step.isOptionalTrial,
        .isNumberedAnew = isNumberedAnew(controller_.session()),
@@ -537,7 +508,8 @@ QWidget* ParticipantWindow::makeThanks() {
   return new ThanksPage(
       {.title = debrief == nullptr ? tr("Thank you") : localized(debrief->title),
        .now = words.isEmpty() ? tr("This session is over. Please tell the researcher.")
-                              : tr("Please tell the researcher that you have finished."),
+                              : tr("Please leave the instrument where it is, and tell the "
+                                   "researcher that you have finished."),
        .code = QString::fromStdString(session.participant()),
        .debrief = words,
        .contact = isToldWhomToAsk ? QString()
@@ -561,17 +533,28 @@ QWidget* ParticipantWindow::makeMessage(const QString& title, const QString& wor
   return page;
 }
 
+/// The round, if there are several; the trial, if its number does not say it; the step; its page.
+QStringList ParticipantWindow::whereInSession() const {
+  const auto& session = controller_.session();
+  if (session.state() == SessionState::Completed) return {tr("Finished")};
+  if (session.isOver()) return {};
+  QStringList where;
+  const auto place = placeOf(session);
+  if (place.round > 0 && place.rounds > 1)
+    where << tr("Round %1 of %2").arg(place.round).arg(place.rounds);
+  if (place.position > 0 && !isLabelledByPosition(session))
+    where << tr("Trial %1 of %2").arg(place.position).arg(place.alternatives);
+  where << tr("Step %1 of %2").arg(session.stepIndex() + 1).arg(session.plan().size());
+  if (questions_ != nullptr && questions_->sheets() > 1)
+    where << tr("Page %1 of %2").arg(questions_->sheet() + 1).arg(questions_->sheets());
+  return where;
+}
+
 void ParticipantWindow::updateProgress() {
   const auto& session = controller_.session();
   progress_->setRange(0, static_cast<int>(session.plan().size()));
-  progress_->setValue(session.stepIndex());
-  auto words = tr("Step %1 of %2").arg(session.stepIndex() + 1).arg(session.plan().size());
-  if (questions_ != nullptr && questions_->sheets() > 1) {
-    words += QStringLiteral(" · ") +
-             tr("Page %1 of %2").arg(questions_->sheet() + 1).arg(questions_->sheets());
-  }
-  step_->setText(words);
-  step_->setVisible(!session.isOver());
+  progress_->setValue(session.stepIndex() + 1);
+  step_->setText(whereInSession().join(QStringLiteral(" · ")));
   progress_->setAccessibleName(step_->text());
 }
 

@@ -69,11 +69,13 @@ class ParticipantWindow final : public QWidget {
   void adjustScale();
   QString localized(const questionnaires::LocalizedText& text) const;
   QString alternativeName(const QString& label) const;
+  QString alternativeTitle() const;
+  QStringList whereInSession() const;
 
   SessionController& controller_;
   std::function<void(double)> moveHand_;
   QProgressBar* progress_;
-  QLabel* step_;  ///< beside it: "Step 3 of 19"
+  QLabel* step_;  ///< beside it: "Round 1 of 2 · Step 5 of 19"
   QComboBox* languages_;
   QVBoxLayout* rows_;  ///< of the window
   QVBoxLayout* place_;

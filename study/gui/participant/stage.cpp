@@ -71,7 +71,7 @@ Stage::Stage(const QString& title, QWidget* shown, Panel panel, QWidget* parent)
       scroll_(new QScrollArea(this)),
       title_(titleLabel(title, nullptr)),
       foot_(new QWidget(this)),
-      reason_(quietLabel({}, foot_)) {
+      reason_(bodyLabel({}, foot_)) {
   grid_->setContentsMargins(0, 0, 0, 0);
   auto* inside = new QWidget(scroll_);
   column_ = new QGridLayout(inside);
@@ -96,6 +96,19 @@ Stage::Stage(const QString& title, QWidget* shown, Panel panel, QWidget* parent)
   if (panel_ != nullptr) panel_->setParent(this);
   if (panel_ != nullptr && kind_ == Panel::Picture) new RoundCorners(panel_);
   place(false);
+}
+
+void Stage::setCaption(const QString& caption) {
+  if (panel_ == nullptr || kind_ != Panel::Card) return;
+  auto* card = static_cast<QBoxLayout*>(panel_->layout());
+  auto* words = bodyLabel(caption, panel_);
+  words->setProperty("role", QStringLiteral("key"));
+  words->setAlignment(Qt::AlignHCenter);
+  constexpr int kOfPicture = 3;  // shares of the height
+  card->setStretch(0, kOfPicture);
+  card->insertStretch(0, 1);
+  card->addWidget(words);
+  card->addStretch(1);
 }
 
 void Stage::setCounter(QWidget* counter) {

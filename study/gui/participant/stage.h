@@ -23,6 +23,8 @@ class Stage final : public QWidget {
   Stage(const QString& title, QWidget* shown, Panel panel, QWidget* parent = nullptr);
 
   QLabel& title() noexcept { return *title_; }
+  /// Writes below the picture on a card what it shows; the picture then leaves room for the words.
+  void setCaption(const QString& caption);
   /// What to do, below the title.
   QVBoxLayout& words() noexcept { return *words_; }
   /// Puts @p counter below the words, or beside the title if the panel is between.

@@ -35,40 +35,34 @@ ThanksPage::ThanksPage(const Content& content, QWidget* parent) : QWidget(parent
   outer->setContentsMargins(0, 0, 0, 0);
   auto* scroll = new PageScroll(this);
   auto* inside = new QWidget(scroll);
-  const bool hasMore = !content.debrief.isEmpty() || !content.contact.isEmpty();
-  auto* column =
-      addColumn(*inside, hasMore ? ColumnWidth::Page : ColumnWidth::Text, ColumnIn::Scroll);
+  auto* column = addColumn(*inside, ColumnWidth::Page, ColumnIn::Scroll);
+  column->addWidget(titleLabel(content.title, inside));
+  auto* next = new QHBoxLayout;
+  auto* sign = withRole(hugeLabel(QStringLiteral("✓"), inside), "done");
+  sign->setWordWrap(false);
+  next->setSpacing(scaled(*this, 16));
+  next->addWidget(sign);
+  next->addWidget(withRole(bodyLabel(content.now, inside), "key"), 1);
+  column->addLayout(next);
+  column->addWidget(new SideBySide(makeCode(content), makeDebrief(content), this));
   column->addStretch(1);
-  auto* thanks = makeThanks(content);
-  column->addWidget(hasMore ? new SideBySide(thanks, makeDebrief(content), this) : thanks);
-  column->addStretch(2);
   scroll->setWidget(inside);
   scroll->setAccessibleName(content.title);
   setFocusProxy(scroll);
   outer->addWidget(scroll);
 }
 
-/// Thanks, what to do now, and the code: the only thing to take away.
-QWidget* ThanksPage::makeThanks(const Content& content) {
-  auto* part = new QWidget(this);
-  auto* lines = new QVBoxLayout(part);
-  lines->setContentsMargins(0, 0, 0, 0);
-  lines->setSpacing(scaled(*this, 16));
-  auto* sign = withRole(hugeLabel(QStringLiteral("✓"), part), "done");
-  sign->setWordWrap(false);
-  lines->addWidget(sign, 0, Qt::AlignLeft);
-  lines->addWidget(titleLabel(content.title, part));
-  lines->addWidget(withRole(bodyLabel(content.now, part), "key"));
+/// The code: the only thing to take away.
+QWidget* ThanksPage::makeCode(const Content& content) {
   auto* saved = textLabel(
       tr("Your answers and what was measured are saved under this code, not under your name. "
          "Note it if you may want them deleted."),
-      part);
-  lines->addWidget(cardWith(
-      {withRole(bodyLabel(tr("Your code"), part), "text"),
-       withRole(bodyLabel(content.code, part), "code"),
+      this);
+  return cardWith(
+      {withRole(bodyLabel(tr("Your code"), this), "text"),
+       withRole(bodyLabel(content.code, this), "code"),
        saved},
-      part));
-  return part;
+      this);
 }
 
 QWidget* ThanksPage::makeDebrief(const Content& content) {

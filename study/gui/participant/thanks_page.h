@@ -22,7 +22,7 @@ class ThanksPage final : public QWidget {
   explicit ThanksPage(const Content& content, QWidget* parent = nullptr);
 
  private:
-  QWidget* makeThanks(const Content& content);
+  QWidget* makeCode(const Content& content);
   QWidget* makeDebrief(const Content& content);
 };
 

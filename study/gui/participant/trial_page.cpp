@@ -36,7 +36,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
     : QWidget(parent),
       content_(content),
       stage_(new Stage(
-          content.name,
+          content.title,
           picture != nullptr ? picture : toolCardOf(*content.device, this),
           picture != nullptr ? Stage::Panel::Picture : Stage::Panel::Card,
           this)),
@@ -58,9 +58,9 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
       doneButton_(new QPushButton(tr("Done"), this)),
       declineButton_(new QPushButton(tr("No, go on"), this)) {
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName(content.name);
+  setAccessibleName(content.title);
   addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
-  stage_->title().setProperty("role", QStringLiteral("name"));
+  stage_->setCaption(tr("The handle of the simulator"));
   addWords();
   stage_->setCounter(count_);
   for (auto* button : {declineButton_, beginButton_, doneButton_}) stage_->addButton(button);
@@ -94,7 +94,7 @@ void TrialPage::addWords() {
   if (content_.isByFeelAlone) {
     auto* byFeel = bodyLabel(
         tr("By feel alone: in this round there is no picture of what you work on."), this);
-    byFeel->setProperty("role", QStringLiteral("text"));
+    byFeel->setProperty("role", QStringLiteral("key"));
     words.addWidget(byFeel);
   }
   numbering_->setProperty("role", QStringLiteral("text"));
@@ -130,7 +130,7 @@ void TrialPage::setRunning(bool isRunning, bool isVirtual) {
   declineButton_->setVisible(!isRunning && content_.isOptionalTrial);
   const bool isOffer = !isRunning && content_.isOptionalTrial;
   count_->setVisible(!isOffer);
-  takeHint_->setText(isRunning ? QString() : tr("Take the instrument, and press Begin."));
+  takeHint_->setText(isRunning ? QString() : tr("Press Begin, then take the instrument."));
   takeHint_->setVisible(!isRunning && !isOffer);
   for (auto* number : stepNumbers_) number->setVisible(!isRunning && !isOffer);
   strokeHint_->setText(

@@ -26,7 +26,8 @@ class TrialPage final : public QWidget {
 
  public:
   struct Content {
-    QString name;  ///< the alternative's label: "Alternative 2"
+    QString name;   ///< the alternative's label: "Alternative 2"
+    QString title;  ///< the label, and of how many: "Alternative 2 of 3"
     int minimumCuts = 3;
     bool isOptionalTrial = false;  ///< an optional further trial, which may be declined
     bool isNumberedAnew = false;   ///< an earlier block had an alternative of this name

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
 #include <QLabel>
+#include <QProgressBar>
 #include <QTest>
 
 #include "haptics/devices/punch/punch_kind.h"
@@ -135,6 +137,41 @@ TEST(PageLayout, HasTheMainButtonAtOnePlaceAndNoDeadBack) {
   EXPECT_GE(places.size(), 7U);
 }
 
+TEST(PageLayout, HasTheEndOfTheBarAndTheTitleAtOnePlaceOnEveryPage) {
+  Pages pages("punch-counterbalanced");
+  std::set<StepKind> seen;
+  std::set<int> ends;
+  std::set<int> titles;
+  const auto look = [&] {
+    Pages::settle();
+    ends.insert(placeIn(pages.page(), *pages.page().findChild<QProgressBar*>()).right());
+    for (const auto* label : pages.page().findChildren<QLabel*>()) {
+      if (label->isVisible() && label->property("role") == QStringLiteral("title"))
+        titles.insert(placeIn(pages.page(), *label).top());
+    }
+  };
+  for (; !pages.session().isOver(); pages.participant.doStep()) {
+    const auto kind = pages.session().step().kind;
+    if (kind == StepKind::Break) break;  // its words are in the middle
+    if (seen.insert(kind).second) look();
+  }
+  EXPECT_GE(seen.size(), 7U);
+  EXPECT_EQ(ends.size(), 1U);
+  EXPECT_EQ(titles.size(), 1U);
+}
+
+TEST(PageLayout, SaysWhichInstrumentIsReal) {
+  Pages pages("punch-counterbalanced");
+  for (const auto& [kind, caption, other] :
+       {std::tuple(StepKind::Benchmark, "The real instrument", "The handle of the simulator"),
+        std::tuple(StepKind::Trial, "The handle of the simulator", "The real instrument")}) {
+    pages.participant.goTo(kind);
+    Pages::settle();
+    EXPECT_TRUE(pages.says(caption));
+    EXPECT_FALSE(pages.says(other));
+  }
+}
+
 TEST(PageLayout, HasThePictureBesideTheWordsAndAboveTheButtonOnAnUprightScreen) {
   Pages pages("two-devices");
   pages.participant.goTo(StepKind::Trial);
@@ -260,6 +297,36 @@ TEST(PageLayout, NamesEachPointWhoseWordsTheInstrumentHas) {
       return label->text() == QString::fromStdString(item.scale.pointLabels[i].in("en")) &&
              words.top() >= place.bottom() && std::abs(words.center().x() - place.center().x()) < 4;
     })) << i;
+  }
+}
+
+TEST(PageLayout, HasTheWordsOfAnEndUnderItsPoint) {
+  questionnaires::Item item{.id = "a", .type = questionnaires::ItemType::Likert};
+  item.scale.points = 5;
+  item.scale.lowLabel = questionnaires::LocalizedText({{"en", "strongly disagree"}});
+  item.scale.highLabel = questionnaires::LocalizedText({{"en", "strongly agree"}});
+  QuestionnairePage page(
+      {.title = {},
+       .introduction = {},
+       .items = {item},
+       .choices = {},
+       .language = QStringLiteral("en"),
+       .before = {}});
+  page.show();
+  const auto* points = page.findChild<OptionButtons*>();
+  for (const QSize size : {kScreen, QSize(683, 384)}) {
+    page.resize(size);
+    Pages::settle();
+    for (const auto* label : page.findChildren<QLabel*>()) {
+      if (!label->text().startsWith(QStringLiteral("strongly"))) continue;
+      const auto* point =
+          points->button(label->text().endsWith(QStringLiteral("disagree")) ? 0 : 4);
+      const auto words = placeIn(page, *label);
+      const auto box = placeIn(page, *point);
+      constexpr int kHalfAGap = 4;
+      EXPECT_NEAR(words.center().x(), box.center().x(), kHalfAGap);
+      EXPECT_LE(words.width(), box.width() + 2 * kHalfAGap);
+    }
   }
 }
 

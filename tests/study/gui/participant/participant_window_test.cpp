@@ -61,6 +61,21 @@ class ParticipantPages : public testing::Test {
   tests::Participant participant_{window_};
 };
 
+/// The title of the first trial of a session of the shipped @p protocol.
+QString titleOfTrial(const std::string& protocol) {
+  const tests::ScratchFolder folder;
+  SystemClock clock;
+  questionnaires::Problems problems;
+  const auto loaded = protocols::loadProtocolFile(protocol, problems);
+  auto study = Study::create(folder / "study", *loaded, clock, 7, tests::knownSecret());
+  OperatorWindow window(study);
+  window.show();
+  window.enrol({.cohort = "professional", .runMode = RunMode::Pilot, .language = "en", .code = {}});
+  tests::Participant(window).goTo(StepKind::Trial);
+  QCoreApplication::processEvents();
+  return window.participantWindow()->findChild<TrialPage*>()->accessibleName();
+}
+
 TEST_F(ParticipantPages, SwitchToRightToLeftAndBack) {
   window_.show();
   window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "ar", .code = {}});
@@ -109,6 +124,31 @@ TEST_F(ParticipantPages, SayWhichStepOfHowManyItIs) {
   EXPECT_EQ(tests::wordsIn(page()).count(QStringLiteral("Step 1 of %1").arg(steps)), 1U);
 }
 
+TEST_F(ParticipantPages, SayWhichRoundAndTrialOfHowManyItIs) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  participant_.goTo(StepKind::Trial);
+  const auto& session = window_.controller()->session();
+  QStringList places;
+  for (; !session.isOver(); window_.controller()->skipStep(QStringLiteral("not needed here"))) {
+    QCoreApplication::processEvents();
+    for (const auto& words : tests::wordsIn(page())) {
+      const auto end = words.indexOf(QStringLiteral(" · Step"));
+      if (end >= 0) places << words.left(end);
+    }
+  }
+  // The number is of the condition, so that it does not say how many trials are left.
+  EXPECT_EQ(places.size(), 2 * (3 + 1)) << "questions on a trial that was skipped are not asked";
+  EXPECT_EQ(places.value(1), QStringLiteral("Round 1 of 2 · Trial 2 of 3"));
+  EXPECT_EQ(places.value(3), QStringLiteral("Round 1 of 2")) << "the comparison";
+  EXPECT_EQ(places.value(4), QStringLiteral("Round 2 of 2 · Trial 1 of 3"));
+}
+
+TEST(ParticipantTitles, SayOfHowManyTheAlternativeIsIfItsNumberIsItsPlace) {
+  EXPECT_EQ(titleOfTrial("punch-counterbalanced"), QStringLiteral("Alternative 1 of 3"));
+  EXPECT_EQ(titleOfTrial("punch-face-validity"), QStringLiteral("Alternative 1"));
+}
+
 TEST_F(ParticipantPages, SayAtAPreferenceWhetherAnotherRoundFollows) {
   window_.show();
   window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
@@ -144,7 +184,7 @@ TEST_F(ParticipantPages, EndWithOneThankYouPage) {
   QCoreApplication::processEvents();
   ASSERT_TRUE(session.isOver());
   const auto words = tests::wordsIn(page());
-  EXPECT_EQ(words.count(QStringLiteral("Please tell the researcher that you have finished.")), 1U);
+  EXPECT_EQ(words.count(QStringLiteral("Finished")), 1U);
   EXPECT_TRUE(std::any_of(words.begin(), words.end(), [](const QString& text) {
     return text.contains(QStringLiteral("Please do not talk with other participants"));
   })) << "the debrief can still be read";
@@ -382,14 +422,18 @@ TEST(ParticipantNumbers, StartAgainInTheSecondBlockAndThePageSaysSo) {
   ASSERT_EQ(words.size(), 4U) << "two blocks, each with a preference";
   EXPECT_EQ(words[0], "");
   EXPECT_NE(words[1].find("in the order in which you felt them"), std::string::npos) << words[1];
+  EXPECT_NE(words[1].find("In it the numbers start again."), std::string::npos) << words[1];
   EXPECT_EQ(
       words[2],
       "The numbers start again: Alternative 1 may now stand for something else than before.");
   EXPECT_NE(words[3].find("in the order in which you felt them"), std::string::npos) << words[3];
 }
 
-TEST(ParticipantNumbers, AreNotExplainedWhereTheySayNothingOfTheOrder) {
-  for (const auto& words : wordsAboutNumbers("punch-face-validity")) EXPECT_EQ(words, "");
+TEST(ParticipantNumbers, StayTheSameWhereEachConditionHasItsOwn) {
+  const auto words = wordsAboutNumbers("punch-face-validity");
+  ASSERT_EQ(words.size(), 4U);
+  for (const std::size_t page : {0U, 2U, 3U}) EXPECT_EQ(words[page], "") << page;
+  EXPECT_NE(words[1].find("In it the numbers stay the same."), std::string::npos) << words[1];
 }
 
 /// The published study with an optional repetition of each alternative before the first choice.
