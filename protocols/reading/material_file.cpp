@@ -69,12 +69,6 @@ reaming::Jitter readJitter(const Node& node) {
   return {node.number("rms_n", 0.0, 1e4), node.number("rate_hz", 0.1, 1e5)};
 }
 
-constexpr std::array kTestSets{
-    questionnaires::Choice<reaming::TestSet>{"static", reaming::TestSet::Static},
-    questionnaires::Choice<reaming::TestSet>{"dynamic-1", reaming::TestSet::Dynamic1},
-    questionnaires::Choice<reaming::TestSet>{"dynamic-2", reaming::TestSet::Dynamic2},
-};
-
 /// The largest depth of a node in all curves [m].
 double deepestOf(const reaming::Material& material) {
   double deepest = 0.0;
@@ -99,7 +93,7 @@ std::optional<reaming::Material> readMaterialRoot(const Node& root) {
       .isSynthetic = root.flag("synthetic", false)};
   for (const auto& node : root.requiredList("sets")) {
     if (!node.isObjectWithOnlyKeys({"test_set", "force", "torque", "jitter"})) continue;
-    reaming::MaterialSet set{.set = node.choice("test_set", kTestSets)};
+    reaming::MaterialSet set{.set = node.choice("test_set", kTestSetChoices)};
     if (const auto force = node.requiredObject("force")) set.force = readCurves(*force, kForceKeys);
     if (const auto torque = node.object("torque")) set.torque = readCurves(*torque, kTorqueKeys);
     if (const auto jitter = node.object("jitter")) set.jitter = readJitter(*jitter);

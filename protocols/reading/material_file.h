@@ -1,14 +1,25 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "haptics/reaming/material/material.h"
 #include "haptics/reaming/material/material_fit.h"
+#include "haptics/reaming/material/series.h"
+#include "questionnaires/json/document.h"
 #include "questionnaires/json/problem.h"
 
 namespace protocols {
+
+/// The values of the key "test_set" in files of materials and scenes.
+inline constexpr std::array kTestSetChoices = [] {
+  using haptics::reaming::TestSet;
+  const auto choice = [](TestSet set) { return questionnaires::Choice<TestSet>{nameOf(set), set}; };
+  return std::array{choice(TestSet::Static), choice(TestSet::Dynamic1), choice(TestSet::Dynamic2)};
+}();
 
 /// Reads a material as `palpate material fit` writes it (docs/protocol-format.md, "Material files")
 /// and reports all problems; std::nullopt if there are errors.

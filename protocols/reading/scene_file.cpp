@@ -37,12 +37,6 @@ using MaybeSpec = std::optional<Spec>;
 constexpr auto kDefaultProcessNoise = models::ProcessNoiseReading::StateOrder;
 using haptics::reaming::TestSet;
 
-constexpr std::array kTestSets{
-    Choice<TestSet>{"static", TestSet::Static},
-    Choice<TestSet>{"dynamic-1", TestSet::Dynamic1},
-    Choice<TestSet>{"dynamic-2", TestSet::Dynamic2},
-};
-
 /// Sets the branches of a cut, with the protocol's slope limit.
 void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec) {
   using haptics::recordings::ForceCurve;
@@ -199,7 +193,7 @@ void refuseWithoutMaterial(const Node& node) {
 /// none.
 bool useMaterial(const Node& node, const SceneContext& context, engine::MaterialSpec& spec) {
   const auto name = node.text("material");
-  const auto set = node.choice("test_set", kTestSets, TestSet::Dynamic1);
+  const auto set = node.choice("test_set", kTestSetChoices, TestSet::Dynamic1);
   // static tests press on bone without removing it
   if (set == TestSet::Static) spec.isRemoved = false;
   const bool hasJitter = node.flag("jitter", false);

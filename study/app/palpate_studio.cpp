@@ -60,7 +60,7 @@ void describe(QCommandLineParser& parser) {
           {name,
            text,
            QString::fromStdString(option.value),
-           QString::fromStdString(option.initial)});
+           QString::fromStdString(option.defaultValue)});
     }
   }
 }

@@ -103,11 +103,6 @@ TEST(PublishedStudy, AgreesWithThePipelineInR) {
   std::size_t i = 0;
   for (const std::string letter : {"P", "N"}) {
     const auto groups = cohort(letter, cells);
-    const auto countsOf = [&](const std::string& name) {
-      return std::ranges::find(groups, name, &analysis::NamedSample::name)
-          ->answers.points()
-          .value();
-    };
     const auto family = analysis::comparePairwise(groups, kDeclared);
     for (const auto& row : family.rows) {
       const auto& truth = golden.at(i++);

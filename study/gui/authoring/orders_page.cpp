@@ -73,7 +73,7 @@ DataTable balanceTable(
           {phaseTitle(phase.id).toStdString(),
            titleOf(balance.conditions[i]),
            inWords(balance),
-           joined(balance.atPosition[i]),
+           joined(balance.positionCounts[i]),
            fmt::format("{}", fmt::join(after, " · "))});
     }
   }
@@ -104,7 +104,7 @@ OrdersPage::OrdersPage(QWidget* parent)
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setAccessibleName(tr("Orders"));
-  connect(balance_, &ResultTable::fitted, this, [this] {
+  connect(balance_, &ResultTable::columnsFitted, this, [this] {
     balance_->setMaximumHeight(balance_->wholeHeight());
   });
   auto* choices = new QHBoxLayout;

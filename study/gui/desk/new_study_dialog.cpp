@@ -121,7 +121,7 @@ void NewStudyDialog::fillInTexts() {
   questionnaires::Problems problems;
   auto filled = protocols::withTexts(*checked_.loaded, form.texts(), problems);
   if (!filled) filled = std::move(checked_.loaded);
-  checked_ = checked(
+  checked_ = checkedProtocol(
       std::move(checked_.source), std::move(checked_.text), std::move(filled), problems.all());
   showChecked();
 }

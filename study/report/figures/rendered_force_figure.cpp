@@ -13,10 +13,10 @@ namespace study::report {
 namespace {
 
 constexpr double kFigureHeight = 290.0;
-constexpr double kAxisHeight = 52.0;         // below the plot
-constexpr double kLegendEntryHeight = 24.0;  // of a legend below the plot
-constexpr std::size_t kMarks = 8;            // along a line
-constexpr double kMark = 5.5;                // radius
+constexpr double kForceAxisHeight = 52.0;         // below the plot
+constexpr double kForceLegendEntryHeight = 24.0;  // of a legend below the plot
+constexpr std::size_t kMarks = 8;                 // along a line
+constexpr double kMark = 5.5;                     // radius
 
 /// The plot; a narrow figure has its legend below, others beside.
 QRectF renderedForcePlotOf(const FigureFormat& format) {
@@ -168,7 +168,7 @@ class RenderedForcePainter {
   }
 
   void legendBelow() {
-    double y = plot_.bottom() + kAxisHeight;
+    double y = plot_.bottom() + kForceAxisHeight;
     for (const auto* curve : curves_) {
       painter_.setPen(QPen(categoryColour(section_.conditionIndex(curve->condition)), 3));
       painter_.drawLine(QPointF(plot_.left(), y + 11), QPointF(plot_.left() + 22, y + 11));
@@ -181,7 +181,7 @@ class RenderedForcePainter {
           QString::fromStdString(
               section_.conditionTitle(curve->condition) + ", " +
               section_.words.count(curve->strokes, "{} cut or stroke", "{} cuts or strokes")));
-      y += kLegendEntryHeight;
+      y += kForceLegendEntryHeight;
     }
   }
 
@@ -227,8 +227,9 @@ QSizeF renderedForceFigureSize(
   if (!format.isNarrow()) return {format.layoutWidth(), kFigureHeight};
   const auto entries = std::ranges::count_if(
       section.curves, [&](const RenderedForceCurve& curve) { return isOf(curve, device); });
-  const double legend = kLegendEntryHeight * static_cast<double>(entries);
-  return {format.layoutWidth(), renderedForcePlotOf(format).bottom() + kAxisHeight + legend + 6.0};
+  const double legend = kForceLegendEntryHeight * static_cast<double>(entries);
+  return {
+      format.layoutWidth(), renderedForcePlotOf(format).bottom() + kForceAxisHeight + legend + 6.0};
 }
 
 void paintRenderedForceFigure(

@@ -200,7 +200,7 @@ TEST_F(ProtocolWindowTest, ListsErrorsBeforeWarnings) {
     return questionnaires::Problem{
         .severity = severity, .path = "$", .what = base::Message::verbatim(what)};
   };
-  const auto broken = checked(
+  const auto broken = checkedProtocol(
       "mine.json",
       "",
       std::nullopt,
