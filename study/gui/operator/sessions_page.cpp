@@ -80,11 +80,13 @@ QWidget* SessionsPage::makeList() {
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(kCohort, QHeaderView::Stretch);
+  // Queued: a header that resizes its rows knows their sum only afterwards.
   connect(
       table_->verticalHeader(),
       &QHeaderView::sectionResized,
       this,
-      &SessionsPage::setMinimumHeights);
+      &SessionsPage::setMinimumHeights,
+      Qt::QueuedConnection);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);

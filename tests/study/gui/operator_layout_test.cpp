@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -130,6 +131,17 @@ TEST_F(OperatorLayout, ShowsEverythingBetweenSessions) {
   auto* table = window_.findChild<SessionsPage*>()->findChild<QTableWidget*>();
   table->selectRow(0);
   expectAllInSight(QStringLiteral("between"));
+}
+
+TEST_F(OperatorLayout, ShowsTheRowsOfSessionsWhole) {
+  enrol();
+  window_.findChild<ControlPanel*>()->closeSessionRequested();
+  const auto* table = window_.findChild<SessionsPage*>()->findChild<QTableWidget*>();
+  for (const QSize size : {kLowScreen, kWideScreen, kLowScreen}) {
+    window_.resize(size);
+    QTest::qWait(50);
+    EXPECT_GE(table->viewport()->height(), table->verticalHeader()->length()) << size.width();
+  }
 }
 
 TEST_F(OperatorLayout, EndsTheUnfinishedSessionThatIsSelected) {
