@@ -312,7 +312,7 @@ class VerdictWriter {
         const auto plain = words_.say("{} points ({}, not significant)", points, who);
         const auto clear = words_.say("{} points ({}, significant)", points, who);
         const auto pooled =
-            words_.say("{} points ({}, significant of pooled answers only)", points, who);
+            words_.say("{} points ({}, significant only with pooled answers)", points, who);
         outcome.differences.push_back(
             !isSignificant                       ? plain
             : agrees || !family.isNamed("welch") ? clear

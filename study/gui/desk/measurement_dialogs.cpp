@@ -279,7 +279,8 @@ void FitMaterialDialog::showResult(const FittedMaterial& fitted) {
   DataTable table{
       .name = "material-errors",
       .description =
-          tr("Largest error of the force curves [%], of the force there or of 10 N").toStdString(),
+          tr("Largest difference of fit and series [% of the force there, at least of 10 N]")
+              .toStdString(),
       .columns =
           {words(tr("Test set")),
            number(tr("Series")),

@@ -482,7 +482,7 @@ Answer answerInWords(const ReportSection& section) {
     answer.caveats.push_back(
         words("As the protocol declares, these tests take all answers of a person as "
               "independent: their p may be far too small. The tests within participants "
-              "compare people."));
+              "take each person once."));
   }
   return answer;
 }
