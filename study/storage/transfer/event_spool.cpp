@@ -4,6 +4,8 @@
 #include <span>
 #include <string_view>
 
+#include <fmt/format.h>
+
 namespace study::storage {
 namespace {
 
@@ -46,8 +48,7 @@ void EventSpool::put(const StoredEvent& event) {
 }
 
 void EventSpool::forEach(const std::function<void(const StoredEvent& event)>& take) const {
-  Statement select(
-      database_, std::string("SELECT ") + kEventColumns + " FROM event ORDER BY place");
+  Statement select(database_, fmt::format("SELECT {} FROM event ORDER BY place", kEventColumns));
   while (select.step()) take(storedEventIn(select));
 }
 
