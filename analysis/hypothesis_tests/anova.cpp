@@ -102,8 +102,8 @@ OneWayAnovaResult oneWayAnova(std::span<const Moments> groups) {
 
 namespace {
 
-/// ε from the residuals e of the layout. S is proportional to eᵀe, and ε does not depend on the
-/// factor.
+/// Greenhouse and Geisser's ε from the residuals e of the layout. The covariance matrix S is eᵀe
+/// times a constant, which cancels in ε.
 double greenhouseGeisser(const TwoWayLayout& layout) {
   const std::size_t k = layout.columns;
   DoubleDouble traceOfSquare;

@@ -111,7 +111,7 @@ class SizeSearch {
       result.fitting.push_back(combination);
     } while (advance(at));
     addPossibleSizes(result);
-    addExample(result);
+    addExampleAnswers(result);
     return result;
   }
 
@@ -210,13 +210,13 @@ class SizeSearch {
     return true;
   }
 
-  void addExample(ConsistentSizes& result) const {
-    const auto fewest = result.largestFittingSizes();
-    if (!fewest) return;
+  void addExampleAnswers(ConsistentSizes& result) const {
+    const auto largestSizes = result.largestFittingSizes();
+    if (!largestSizes) return;
     std::vector<std::size_t> at;
     std::vector<Bits> remaining;
     for (std::size_t g = 0; g < sizes_.size(); ++g) {
-      const auto place = std::ranges::find(sizes_[g], (*fewest)[g]);
+      const auto place = std::ranges::find(sizes_[g], (*largestSizes)[g]);
       at.push_back(static_cast<std::size_t>(place - sizes_[g].begin()));
       remaining.push_back(allBits(points_[g][at[g]].size()));
     }

@@ -29,7 +29,7 @@ constexpr const char* kBoneView = "bone: what changes in it";
 std::string describe(const models::FiniteElements<double>::Parameters& p) {
   std::string words = "boundary ";
   words.append(nameIn(kBoundaryNames, p.boundary));
-  words.append(", weights ").append(nameIn(kWeightsNames, p.weights));
+  words.append(", weights ").append(nameIn(kToolInterpolationNames, p.weights));
   return words.append(", yielding ").append(nameIn(kYieldLawNames, p.yielding));
 }
 

@@ -38,7 +38,7 @@ inline constexpr std::array kBoundaryNames{
     NamedValue<models::BoundaryCondition>{"A", models::BoundaryCondition::A},
     NamedValue<models::BoundaryCondition>{"B", models::BoundaryCondition::B},
 };
-inline constexpr std::array kWeightsNames{
+inline constexpr std::array kToolInterpolationNames{
     NamedValue<models::ToolInterpolation>{"paper", models::ToolInterpolation::Paper},
     NamedValue<models::ToolInterpolation>{
         "authors-firmware", models::ToolInterpolation::AuthorsFirmware},

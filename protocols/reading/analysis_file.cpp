@@ -26,7 +26,7 @@ constexpr std::array kCorrections{
 };
 constexpr double kWidestScale = 1000.0;  // [points]
 constexpr double kLargestRealism = 10.0;
-constexpr double kMostDeviation = 10.0;
+constexpr double kMostStandardDeviation = 10.0;  // of simulated answers [points]
 
 Comparison readComparison(const Node& node) {
   if (!node.isObjectWithOnlyKeys({"first", "second"})) return {};
@@ -86,8 +86,8 @@ Family readFamily(const Node& node) {
   return family;
 }
 
-double readDeviation(const Node& node, std::string_view key, double fallback) {
-  return node.number(key, 0.0, kMostDeviation, fallback);
+double readStandardDeviation(const Node& node, std::string_view key, double fallback) {
+  return node.number(key, 0.0, kMostStandardDeviation, fallback);
 }
 
 }  // namespace
@@ -114,11 +114,11 @@ SimulatedAnswerModel readSimulation(const Node& node) {
     }
   }
   truth.participantStandardDeviation =
-      readDeviation(node, "person_deviation", truth.participantStandardDeviation);
-  truth.interactionStandardDeviation =
-      readDeviation(node, "person_by_condition_deviation", truth.interactionStandardDeviation);
+      readStandardDeviation(node, "person_deviation", truth.participantStandardDeviation);
+  truth.interactionStandardDeviation = readStandardDeviation(
+      node, "person_by_condition_deviation", truth.interactionStandardDeviation);
   truth.residualStandardDeviation =
-      readDeviation(node, "answer_deviation", truth.residualStandardDeviation);
+      readStandardDeviation(node, "answer_deviation", truth.residualStandardDeviation);
   return truth;
 }
 

@@ -109,7 +109,7 @@ MaybeSpec<engine::FiniteElementsSpec> readFiniteElements(const Node& node) {
   p.contact = node.number("contact_travel", -1000.0, 1000.0, p.contact);
   p.yieldForce = node.number("yield_force_n", 0.0, 1000.0, p.yieldForce);
   p.boundary = node.choice("boundary", engine::kBoundaryNames, p.boundary);
-  p.weights = node.choice("weights", engine::kWeightsNames, p.weights);
+  p.weights = node.choice("weights", engine::kToolInterpolationNames, p.weights);
   p.yielding = node.choice("yielding", engine::kYieldLawNames, p.yielding);
   return spec;
 }

@@ -78,10 +78,10 @@ struct FamilyResult {
   std::vector<CohortResult> cohorts;
   std::vector<BetweenResult> between;
 
-  /// Whether the protocol declares the test with this id for the family, in time or not.
+  /// Whether the protocol declares the test with this id for the family, no matter when.
   bool isNamed(std::string_view test) const { return idOf(family.test) == test; }
-  /// Whether this test was declared in time. Such a test is confirmatory; all others are
-  /// exploratory.
+  /// Whether this test was declared before the first live participant began. Such a test is
+  /// confirmatory; all others are exploratory.
   bool isConfirmatory(std::string_view test) const { return isDeclared && isNamed(test); }
 };
 

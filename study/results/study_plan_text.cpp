@@ -308,7 +308,7 @@ std::string lengthText(const StudyPlan& plan) {
   return text;
 }
 
-std::string siteModelText(const StudyPlan& plan) {
+std::string siteSimulationText(const StudyPlan& plan) {
   if (!plan.planOptions.sites) return {};
   return fmt::format(
       "At sites, d_z is in units of the standard deviation of one site's participants. The effect "
@@ -319,7 +319,7 @@ std::string siteModelText(const StudyPlan& plan) {
       plan.planOptions.sites->intraclassCorrelation());
 }
 
-std::string modelText(const StudyPlan& plan) {
+std::string simulationText(const StudyPlan& plan) {
   const auto& model = plan.planOptions.model;
   if (plan.planOptions.studies == 0 || plan.families.empty()) return {};
   return fmt::format(
@@ -337,7 +337,7 @@ std::string modelText(const StudyPlan& plan) {
              model.participantShare,
              model.participantByConditionShare,
              model.residualShare) +
-         siteModelText(plan);
+         siteSimulationText(plan);
 }
 
 std::string cohortsInWords(const StudyPlan& plan) {
@@ -473,7 +473,7 @@ std::string studyPlanAsText(const StudyPlan& plan) {
         "\nThe protocol declares no comparisons (\"analysis\"): there is no power to be told.\n";
   }
   for (const auto& family : plan.families) text += familyText(plan, family);
-  text += cohortsText(plan) + votesText(plan) + lengthText(plan) + modelText(plan);
+  text += cohortsText(plan) + votesText(plan) + lengthText(plan) + simulationText(plan);
   return text + "\nFor an application to an ethics committee\n" + ethicsParagraph(plan) + "\n";
 }
 

@@ -56,8 +56,9 @@ questionnaires::Response restored(const ResponseColumns& response) {
 
 void AnswerRepository::put(
     const VisitKey& visit, const GivenAnswer& answer, const std::string& utc) {
-  // An update keeps the stored time of the first touch. After a crash a person may answer the page
-  // in less time than that; response_s is then set to the time of the first touch.
+  // An update keeps the stored first_touch_s. After a crash the page is shown again, and a person
+  // may answer it in fewer seconds; response_s is then raised to first_touch_s, which it must not
+  // precede.
   Statement put(
       database_,
       "INSERT INTO answer (session_id, step, attempt, " + std::string(kAnswerColumns) +

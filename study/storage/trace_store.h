@@ -102,7 +102,7 @@ void addChunk(Database& traces, SessionId session, const TraceChunk& chunk);
 /// @throws StorageError  (Damaged) if the chunk was sealed with another key or for another place.
 TraceChunk opened(const TraceChunk& chunk, SessionId session, const SealingKey& key);
 
-/// An unsealed chunk, sealed with @p key for the session with that number.
+/// Seals @p chunk, which is unsealed, with @p key for the session @p session.
 TraceChunk sealed(const TraceChunk& chunk, SessionId session, const SealingKey& key);
 
 }  // namespace study::storage

@@ -91,7 +91,7 @@ namespace {
 using haptics::devices::DeviceStatus;
 using haptics::engine::TickSample;
 
-storage::TraceSample asTrace(const TickSample& sample) {
+storage::TraceSample asTraceSample(const TickSample& sample) {
   return {
       .tick = static_cast<std::uint32_t>(sample.tick),
       .travel = static_cast<float>(sample.travel),
@@ -129,7 +129,7 @@ Trial::~Trial() {
 
 void Trial::keep(const TickSample& sample) {
   statistics_.add(sample);
-  chunk_.push_back(asTrace(sample));
+  chunk_.push_back(asTraceSample(sample));
   if (static_cast<double>(chunk_.size()) >= rate()) keepChunk();
 }
 

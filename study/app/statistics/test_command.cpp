@@ -169,8 +169,8 @@ void addTestCommand(CLI::App& stats, Action& action) {
   };
   column(
       "group",
-      "Column that names the group (default, as of the next ones: the file's columns in their "
-      "order)")
+      "Column that names the group (default of this and the next options: the file's columns, "
+      "left to right)")
       ->expected(1);
   column("value", "Column of the numbers (in tests of votes: of the names that were voted for)")
       ->expected(1);

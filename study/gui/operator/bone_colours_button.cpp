@@ -68,7 +68,7 @@ void BoneColoursButton::setController(SessionController* controller) {
 
 scene::BoneColoursWindow::FollowedTrial BoneColoursButton::present() const {
   if (controller_ == nullptr || !controller_->isTrialRunning()) return {};
-  auto* bone = controller_->visibleBone();
+  auto* bone = controller_->visibleHipScene();
   if (bone == nullptr || bone->spheres() == nullptr) return {};
   return {.participantView = bone, .isRunning = true};
 }

@@ -54,8 +54,10 @@ class SessionController final : public QObject {
     return viewReportSource_ ? viewReportSource_() : std::nullopt;
   }
   /// Sets the function that returns the bone shown to the participant; empty: no bone is shown.
-  void setBoneSource(std::function<scene::HipScene*()> bone) { boneSource_ = std::move(bone); }
-  scene::HipScene* visibleBone() const { return boneSource_ ? boneSource_() : nullptr; }
+  void setHipSceneSource(std::function<scene::HipScene*()> bone) {
+    hipSceneSource_ = std::move(bone);
+  }
+  scene::HipScene* visibleHipScene() const { return hipSceneSource_ ? hipSceneSource_() : nullptr; }
   /// Takes the next sample for a plot.
   /// @return false if there is no further sample.
   bool nextToPlot(haptics::engine::TickSample& sample) {
@@ -144,7 +146,7 @@ class SessionController final : public QObject {
   std::unique_ptr<Trial> trial_;
   std::unique_ptr<LiveTrial> liveTrial_;  // declared after the trial, so that it is destroyed first
   std::function<std::optional<ViewReport>()> viewReportSource_;
-  std::function<scene::HipScene*()> boneSource_;
+  std::function<scene::HipScene*()> hipSceneSource_;
   QTimer watch_;
   bool isReamerOn_ = true;  ///< of the running trial, by toggleReamer()
   bool isAllSaved_ = true;  ///< of the answers received since the last savePendingAnswers()

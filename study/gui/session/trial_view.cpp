@@ -60,7 +60,7 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
     if (seen.isNull()) return std::nullopt;
     return seen->report();
   });
-  controller.setBoneSource([seen = QPointer(view)]() -> scene::HipScene* {
+  controller.setHipSceneSource([seen = QPointer(view)]() -> scene::HipScene* {
     return seen.isNull() ? nullptr : dynamic_cast<scene::HipScene*>(&seen->scene());
   });
 }
@@ -69,7 +69,7 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
 
 QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
   controller.setViewReportSource({});
-  controller.setBoneSource({});
+  controller.setHipSceneSource({});
   const auto spec = sceneFor(controller.session());
   const bool isVisualised =
       spec.isVisualised && deviceFor(controller.session()).kind->view != View::None;

@@ -389,10 +389,10 @@ class TablesWriter {
     }
     table.columns.push_back(number("exact p"));
     const auto row = [&](const std::string& who,
-                         const std::string& when,
+                         const std::string& afterBlock,
                          const analysis::VoteCounts& counts,
                          const std::optional<double>& p) {
-      Cells cells{who, when};
+      Cells cells{who, afterBlock};
       for (const auto& share : counts.shares()) cells.push_back(std::to_string(share.votes));
       cells.push_back(p ? formatP(p) : std::string());
       table.rows.push_back(std::move(cells));

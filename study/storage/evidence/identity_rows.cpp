@@ -8,7 +8,7 @@
 namespace study::storage {
 namespace {
 
-constexpr const char* kName =
+constexpr const char* kRowName =
     "participant || '/' || session_number || '/' || step || '/' || attempt || '/' || item";
 
 /// The bytes of one column, after their number, so that the limits of several columns in a row are
@@ -26,7 +26,7 @@ std::vector<IdentityRow> identityRows(const Database& identities) {
   const std::string columns = std::string("text, saved_utc") + (sealed.step() ? ", sealed" : "");
   Statement select(
       identities,
-      std::string("SELECT ") + kName + ", " + columns + " FROM identifying_answer ORDER BY 1");
+      std::string("SELECT ") + kRowName + ", " + columns + " FROM identifying_answer ORDER BY 1");
   std::vector<IdentityRow> rows;
   while (select.step()) {
     IdentityRow row{.name = select.text(0)};
@@ -41,7 +41,7 @@ std::vector<IdentityRow> identityRows(const Database& identities) {
 std::vector<IdentityRow> identityRowsBeforeSealing(IdentityStore& identities) {
   Statement select(
       identities.database(),
-      std::string("SELECT ") + kName +
+      std::string("SELECT ") + kRowName +
           ", participant, saved_utc, sealed FROM identifying_answer WHERE sealed IS NOT NULL "
           "ORDER BY 1");
   std::vector<IdentityRow> rows;

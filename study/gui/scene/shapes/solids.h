@@ -35,8 +35,8 @@ Mesh bentTube(const std::vector<QVector3D>& path, const std::vector<float>& radi
 /// A finger ring in the x-y plane [mm].
 Mesh fingerRing(QVector3D centre, float radius, float thickness);
 
-/// A plate of an @p outline in the x-y plane that is seen whole from its middle, from @p from to @p
-/// to along z, with edges bevelled by @p bevel [mm].
+/// A plate from z = @p from to z = @p to, with edges bevelled by @p bevel [mm]. Its @p outline in
+/// the x-y plane is star-shaped: a straight line from its middle to any of its corners lies inside.
 Mesh plate(const std::vector<QVector2D>& outline, float from, float to, float bevel);
 
 /// The solid of revolution of a profile (x: distance from the axis, y: height) around the z axis.

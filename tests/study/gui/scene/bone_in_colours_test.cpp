@@ -26,7 +26,7 @@ class ColouredBone : public tests::VisualisedTrial {
     }
     return nullptr;
   }
-  scene::HipScene* seen() const { return window_->controller()->visibleBone(); }
+  scene::HipScene* seen() const { return window_->controller()->visibleHipScene(); }
   static bool isNeutral(const scene::SphereCloud& cloud) {
     const auto& all = cloud.instances();
     return std::all_of(all.begin(), all.end(), [](const auto& sphere) {
