@@ -305,7 +305,8 @@ class AnswerWriter : HtmlWriter {
     });
     const auto order = say("The method with the higher mean over all cohorts comes first.");
     const auto standardised = withSubscripts(say(
-        "g_z is the mean difference over the SD of the differences, corrected for small samples."));
+        "{} is the mean difference over the SD of the differences, corrected for small samples.",
+        "g_z"));
     const auto uncorrected = say(
         "p is corrected for all comparisons under one heading, intervals are not: one without 0 "
         "may come with a p above α.");

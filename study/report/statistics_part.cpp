@@ -65,7 +65,8 @@ class StatisticsWriter : HtmlWriter {
         "Cliff’s δ has the interval of Feng and Cliff {}.",
         citeIf(!between_.empty(), "Feng & Cliff 2004"));
     const auto standardised = section_.words.say(
-        "The effect size g_z is that of Hedges {}, with the interval of noncentral t.",
+        "The effect size {} is that of Hedges {}, with the interval of noncentral t.",
+        "g_z",
         citeIf(isStandardised_, "Hedges 1981"));
     const auto exact = section_.words("Exact tests count all arrangements, ties included.");
     const auto mixed = section_.words(

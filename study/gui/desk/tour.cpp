@@ -176,7 +176,7 @@ QWidget* Tour::makeTrialDemonstration() {
   });
   picture->setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it handles the mouse
   trialPage_ = new TrialPage(
-      {.name = tr("A first cut"),
+      {.title = tr("A first cut"),
        .minimumCuts = 1,
        .device = &punch_.kind(),
        .language = deskLanguage()},

@@ -487,7 +487,8 @@ TEST_F(StudyDialogsTest, ExportSaysWhatACodedFolderTellsOfPeopleBeforeWriting) {
   ExportDialog dialog(summaryOf(made.folder()));
   for (const int audience : {0, 1}) {
     dialog.findChild<QComboBox*>(QStringLiteral("audience"))->setCurrentIndex(audience);
-    EXPECT_TRUE(more(dialog).contains(QStringLiteral("cohort and background: 1 of 1 people")))
+    EXPECT_TRUE(more(dialog).contains(
+        QStringLiteral("1 of 1 people can be recognised by their cohort and background")))
         << more(dialog).toStdString();
     EXPECT_FALSE(more(dialog).contains(QStringLiteral("--"))) << "an option of the command line";
     EXPECT_FALSE(more(dialog).contains(u'`'));
