@@ -154,7 +154,7 @@ TEST(ServoPanel, SaysInTheSameLineThatTheForceWasAtItsLimit) {
     panel.add(sample);
   }
   panel.refresh();
-  EXPECT_TRUE(light->text().endsWith(QStringLiteral(" · force at its limit in 3 ticks")))
+  EXPECT_TRUE(light->text().endsWith(QStringLiteral(" · force at its limit in 3 updates")))
       << light->text().toStdString();
   EXPECT_EQ(light->property("role").toString(), QStringLiteral("warn"));
   EXPECT_LT(light->minimumSizeHint().width(), 300) << "it leaves room in a narrow window";

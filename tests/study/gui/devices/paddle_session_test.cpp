@@ -56,7 +56,7 @@ TEST(PaddleSession, ShowsPressesAndDegrees) {
   participant.cut(2);
   participant.look();
   EXPECT_TRUE(hasWord(participant.seen(), QStringLiteral("to press the paddle")));
-  EXPECT_TRUE(hasWord(participant.seenByOperator(), QStringLiteral("press 2 of 3")));
+  EXPECT_TRUE(hasWord(participant.seenByOperator(), QStringLiteral("2 of 3 presses")));
   EXPECT_TRUE(hasWord(participant.seenByOperator(), QStringLiteral("N·°")));
   EXPECT_TRUE(hasWord(participant.seenByOperator(), QStringLiteral("Presses of this trial")));
   const auto* presses = window.findChild<CutTable*>();
