@@ -124,8 +124,8 @@ struct DeviceKind {
     /// Travel outside this range means that the zero is wrong [unit]
     Range plausibleTravel{-2.0, 14.0};
 
-    /// Whether the mechanism can reach @p travel, whatever the error of its zero. If the encoder
-    /// has lost counts, or its cable is faulty, the travel is far outside this range.
+    /// Whether the mechanism can reach @p travel, for every possible error of its zero. If the
+    /// encoder has lost counts, or its cable is faulty, the travel is far outside this range.
     bool isPlausibleTravel(double travel) const noexcept {
       const double span = plausibleTravel.most - plausibleTravel.least;
       return travel >= plausibleTravel.least - span && travel <= plausibleTravel.most + span;

@@ -107,7 +107,7 @@ class CutDetector {
   /// confirms.
   /// @param isSettling  whether the force is being faded in or out. Until a contact is found, a
   /// rise
-  ///                    of such a force is ignored, and the search begins anew at the next tick.
+  ///                    of such a force is ignored, and the search starts again at the next tick.
   Event feed(Scalar travel, Scalar force, bool isSettling = false) noexcept {
     if (!std::isfinite(travel) || !std::isfinite(force)) return Event::Nothing;
     const Landmark sample{travel, force, true};

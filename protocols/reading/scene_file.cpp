@@ -23,7 +23,7 @@ using questionnaires::Node;
 namespace engine = haptics::engine;
 namespace models = haptics::models;
 
-/// The data that are needed to read a model, besides its JSON.
+/// The data that are needed to read a model, in addition to its JSON.
 struct SceneContext {
   SceneSources& sources;
   /// Kind of the condition's device; nullptr if it could not be read.

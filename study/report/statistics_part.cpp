@@ -71,8 +71,7 @@ class StatisticsWriter : HtmlWriter {
     const auto exact = section_.words("Exact tests count all arrangements, ties included.");
     const auto mixed = section_.words(
         "The linear mixed model is fitted by REML with Satterthwaite’s degrees of freedom; it "
-        "takes "
-        "all differences to vary alike (sphericity).");
+        "takes all differences to vary alike (sphericity).");
     const auto ordinal =
         section_.words("The ordinal mixed model is fitted by Laplace’s approximation.");
     add(!votes_.empty(), wilson);

@@ -75,8 +75,10 @@ void addKeyCommands(CLI::App& study, Action& action) {
   auto [out, exporting] = add("export", "Write the key to a file, to hand it over", exportTo);
   out->add_option("--out", exporting.file, "New file for the key")->type_name("FILE")->required();
   addAuditedReason(*out, exporting.reason)->required();
-  auto [in, importing] = add(
-      "import", "Store, in your account on this computer, a key that somebody handed over", import);
+  auto [in, importing] =
+      add("import",
+          "Store, in your account on this computer, a key that another person handed over",
+          import);
   in->add_option(
       "FILE",
       importing.file,

@@ -426,7 +426,7 @@ QWidget* ParticipantWindow::makeTrialPage() {
        .title = alternativeTitle(),
        .minimumCuts = step.minimumCuts,
        .isOptionalTrial = step.isOptionalTrial,
-       .isNumberedAnew = isNumberedAnew(controller_.session()),
+       .reusesLabels = reusesLabels(controller_.session()),
        .device = need->kind,
        .language = controller_.session().language(),
        .isByFeelAlone = picture == nullptr && isAnyTrialVisualised(protocol)},

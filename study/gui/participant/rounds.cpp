@@ -41,7 +41,7 @@ bool isLabelledByPosition(const Session& session) {
   return session.protocol().protocol.labels.policy == protocols::LabelPolicy::Position;
 }
 
-bool isNumberedAnew(const Session& session) {
+bool reusesLabels(const Session& session) {
   const auto& step = session.step();
   return isLabelledByPosition(session) && !step.isOptionalTrial && step.position == 1 &&
          !trialsBefore(session).empty();

@@ -21,7 +21,7 @@ RoundPlace placeOf(const Session& session);
 bool isLabelledByPosition(const Session& session);
 
 /// Whether the step is the first trial of a block whose labels an earlier block had for its own.
-bool isNumberedAnew(const Session& session);
+bool reusesLabels(const Session& session);
 
 /// Whether the step is a preference whose labels number the alternatives in the order of the latest
 /// block.

@@ -125,7 +125,7 @@ QString TrialPage::howTo() const {
 void TrialPage::setRunning(bool isRunning, bool isVirtual) {
   isRunning_ = isRunning;
   beginButton_->setVisible(!isRunning);
-  numbering_->setVisible(!isRunning && content_.isNumberedAnew);
+  numbering_->setVisible(!isRunning && content_.reusesLabels);
   doneButton_->setVisible(isRunning);
   declineButton_->setVisible(!isRunning && content_.isOptionalTrial);
   const bool isOffer = !isRunning && content_.isOptionalTrial;

@@ -30,7 +30,7 @@ class TrialPage final : public QWidget {
     QString title;  ///< the label, and of how many: "Alternative 2 of 3"
     int minimumCuts = 3;
     bool isOptionalTrial = false;  ///< an optional further trial, which may be declined
-    bool isNumberedAnew = false;   ///< an earlier block had an alternative of this name
+    bool reusesLabels = false;     ///< an earlier block had an alternative of this name
     const haptics::devices::DeviceKind* device;  ///< whose words for strokes are shown
     std::string language = "en";
     bool isByFeelAlone = false;  ///< without a picture, which another round has

@@ -23,7 +23,8 @@ QString describe(const FindingLine& line) {
                                                : FindingsTable::tr("✕ fix it");
 }
 
-/// What comes first has the lower rank: the worst, and what was not tested at the end.
+/// Lines are shown by their rank: the worst finding has the lowest, a line that was not tested the
+/// highest of its finding.
 using Rank = std::pair<int, bool>;
 Rank rankOf(const FindingLine& line) {
   return {-static_cast<int>(line.found.finding), !line.isTested};
@@ -49,13 +50,13 @@ FindingsTable::FindingsTable(QWidget* parent) : QTableWidget(0, 4, parent) {
 }
 
 void FindingsTable::show(std::vector<FindingLine> lines, bool hasDetails) {
-  std::map<std::string, Rank> ofParts;
+  std::map<std::string, Rank> rankOfPart;  // that of its worst line
   for (const auto& line : lines) {
-    auto& best = ofParts.try_emplace(line.part, rankOf(line)).first->second;
-    best = std::min(best, rankOf(line));
+    auto& rank = rankOfPart.try_emplace(line.part, rankOf(line)).first->second;
+    rank = std::min(rank, rankOf(line));
   }
   std::ranges::stable_sort(lines, {}, [&](const FindingLine& line) {
-    return std::tuple(ofParts.at(line.part), line.part, rankOf(line));
+    return std::tuple(rankOfPart.at(line.part), line.part, rankOf(line));
   });
   clearSpans();
   setRowCount(static_cast<int>(lines.size()));

@@ -49,7 +49,7 @@ class MarkedText final : public QLabel {
     spaceOut();
   }
 
-  /// Layouts ask for the height several times, and each time QLabel would break the lines anew.
+  /// Layouts ask for the height several times, and each time QLabel would break the lines again.
   int heightForWidth(int width) const override {
     auto known = heights_.find(width);
     if (known == heights_.end())
