@@ -73,7 +73,7 @@ TEST_F(WindowsCommand, DrawsWithOpenGlOnADisplay) {
   for (const char* renderer : {"best", "finest"}) {
     const auto finished =
         run({"env", "QT_QPA_PLATFORM=xcb", "xvfb-run", "-a", "-s", "-screen 0 1400x900x24"},
-            {"--renderer", renderer, "--anatomy", knee});
+            {"--part", "simulations", "--renderer", renderer, "--anatomy", knee});
     ASSERT_NE(finished.out.find("reamer and cup"), std::string::npos) << finished.error;
     if (finished.out.find("software rasteriser") != std::string::npos) {
       GTEST_SKIP() << "no OpenGL 3.3 on this X server: " << finished.out;
@@ -89,7 +89,8 @@ TEST_F(WindowsCommand, DrawsAKneeFromAFile) {
   EXPECT_EQ(tests::run({tests::releaseStudio(), "--write-knee", folder_ / "knee.obj"}).status, 1)
       << "nothing is ever overwritten";
   const auto finished =
-      run({"env", "QT_QPA_PLATFORM=offscreen"}, {"--anatomy", folder_ / "knee.obj"});
+      run({"env", "QT_QPA_PLATFORM=offscreen"},
+          {"--part", "simulations", "--anatomy", folder_ / "knee.obj"});
   EXPECT_LE(finished.status, 1) << finished.error;
   EXPECT_GT(bright("knee-1.png"), 30);
 }
