@@ -237,7 +237,8 @@ class LimitationsWriter : HtmlWriter {
     const auto alone = singleParticipantsInWords();
     const auto singlePersonText =
         say("The numbers are those of one person: nothing can be compared, and they show "
-            "what this person answered. Answers to single items are left out.");
+            "how this person rated, scored and voted. Answers to other single items are left out, "
+            "and so are scores from which one could be worked out.");
     if (!alone.empty()) explain(alone, singlePersonText);
     const auto fewer = missingParticipantsInWords();
     const auto early =

@@ -352,7 +352,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
 ReportSection gatherResults(Study& study, RunMode mode, const words::Words& words) {
   auto [firstDay, lastDay] = daysOf(study, mode);
   auto results = computeResults(study, mode, PairOrder::HigherFirst);
-  leaveOutSmallSamples(results);
+  leaveOutSmallSamples(results, study.protocol().instruments);
   return {
       .protocol = study.protocol().protocol,
       .instruments = study.protocol().instruments,

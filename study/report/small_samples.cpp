@@ -44,6 +44,44 @@ void leaveOut(Reliability& reliability, std::string_view id) {
   reliability = kept;
 }
 
+using ItemIds = std::set<std::string>;
+
+/// Whether the answers of one person to a single item follow from the means of two sets of items.
+bool giveAwayAnItem(const ItemIds& some, const ItemIds& others) {
+  const auto& [fewer, more] =
+      std::minmax(some, others, [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  return more.size() == fewer.size() + 1 && std::ranges::includes(more, fewer);
+}
+
+/// Removes what shows an answer of the only participant of a cohort to a single item.
+void leaveOutItemsOfOnePerson(
+    InstrumentSummary& summary,
+    const questionnaires::Instrument& instrument,
+    const std::vector<FamilyResult>& families) {
+  std::vector<ItemIds> shown;  // with their means: what families compare, then scores
+  for (const auto& family : families) {
+    if (family.family.instrument != instrument.id) continue;
+    auto& ids = shown.emplace_back();
+    for (const auto& item : protocols::comparedItems(family.family, instrument.items)) {
+      ids.insert(item.id);
+    }
+  }
+  std::set<std::string_view> hidden;
+  for (const auto& score : instrument.scores) {
+    const ItemIds ids(score.items.begin(), score.items.end());
+    const bool isHidden = ids.size() < 2 || std::ranges::any_of(shown, [&](const auto& other) {
+                            return giveAwayAnItem(ids, other);
+                          });
+    if (isHidden) hidden.insert(score.id);
+    if (!isHidden) shown.push_back(ids);
+  }
+  std::erase_if(summary.scores, [&](const auto& score) {
+    return score.values.size() == 1 && hidden.contains(score.score);
+  });
+  std::erase_if(
+      summary.acceptable, [](const auto& acceptable) { return acceptable.item.answered == 1; });
+}
+
 std::size_t peopleIn(const analysis::AnswerTable& table) {
   std::set<std::size_t> people;
   for (const auto& answer : table.answers) people.insert(answer.participant);
@@ -52,7 +90,13 @@ std::size_t peopleIn(const analysis::AnswerTable& table) {
 
 }  // namespace
 
-void leaveOutSmallSamples(Results& results) {
+void leaveOutSmallSamples(
+    Results& results, const std::vector<questionnaires::Instrument>& instruments) {
+  for (auto& summary : results.instruments) {
+    const auto found =
+        std::ranges::find(instruments, summary.instrument, &questionnaires::Instrument::id);
+    if (found != instruments.end()) leaveOutItemsOfOnePerson(summary, *found, results.families);
+  }
   for (auto* votes : {&results.votes, &results.siteVotes}) {
     for (auto& vote : *votes) {
       if (vote.votes.total() < kFewestVotes) vote.test = {};

@@ -13,9 +13,14 @@ namespace study::report {
 inline constexpr auto kSmallSampleMessages =
     std::to_array<base::MessageKind>({{"fewer_people", "it needs at least {} participants"}});
 
-/// Removes what a report does not show of few people (StatisticalTest::fewestPeople); a reason of
-/// kSmallSampleMessages is left in its place. Exports and `stats run` keep these numbers.
-void leaveOutSmallSamples(Results& results);
+/// Removes what a report does not show of few people. Exports and `stats run` keep these numbers.
+/// - Tests and reliabilities of fewer than StatisticalTest::fewestPeople; a reason of
+///   kSmallSampleMessages is left in their place.
+/// - Where a cohort has one participant: a score of one item; a score whose items are those of
+///   another score, or of what a family compares, but for one item, because the difference of the
+///   two means gives the answers to that item away; shares of acceptable answers to an item.
+void leaveOutSmallSamples(
+    Results& results, const std::vector<questionnaires::Instrument>& instruments);
 
 /// The sentence that says which tests of a family were left out, and why; empty if none was.
 std::string leftOutInWords(const FamilyResult& family, const words::Words& words);

@@ -1,6 +1,8 @@
 // What a report leaves out for few people.
 #include "study/report/small_samples.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "analysis/registry/registry.h"
@@ -43,7 +45,7 @@ TEST(SmallSamples, OfOneVoteHaveNoTest) {
   ASSERT_TRUE(results.votes.front().test.exactP);
   results.votes.back().votes = analysis::VoteCounts({"interpolation", "kalman"});
   results.votes.back().votes.add("kalman", 1);
-  leaveOutSmallSamples(results);
+  leaveOutSmallSamples(results, {});
   EXPECT_TRUE(results.votes.front().test.exactP);
   EXPECT_FALSE(results.votes.back().test.exactP);
 }
@@ -54,7 +56,7 @@ TEST(SmallSamples, OfFourHaveExactTestsAndNoApproximations) {
   const auto& pair = family.cohorts.front().within.rows.front();
   ASSERT_TRUE(pair.test("ordinal_model").p);
   ASSERT_TRUE(family.between.front().test("brunner_munzel").p);
-  leaveOutSmallSamples(results);
+  leaveOutSmallSamples(results, {});
   EXPECT_FALSE(pair.test("ordinal_model").p);
   EXPECT_EQ(base::describe(pair.test("ordinal_model").reason), "it needs at least 5 participants");
   EXPECT_FALSE(family.between.front().test("brunner_munzel").p);
@@ -69,7 +71,7 @@ TEST(SmallSamples, OfFourHaveExactTestsAndNoApproximations) {
 
 TEST(SmallSamples, OfFiveKeepEverything) {
   auto results = sectionOf(5).results;
-  leaveOutSmallSamples(results);
+  leaveOutSmallSamples(results, {});
   const auto& family = results.families.front();
   EXPECT_TRUE(family.cohorts.front().within.rows.front().test("ordinal_model").p);
   EXPECT_TRUE(family.between.front().test("brunner_munzel").p);
@@ -77,9 +79,80 @@ TEST(SmallSamples, OfFiveKeepEverything) {
   EXPECT_EQ(leftOutInWords(family, {}), "");
 }
 
+/// The scores of one participant who answered everything, about @p condition.
+study::InstrumentSummary scoresOf(
+    const questionnaires::Instrument& instrument, std::size_t people, const std::string& cohort) {
+  study::InstrumentSummary summary{.instrument = instrument.id};
+  for (const auto& score : instrument.scores) {
+    summary.scores.push_back(
+        {.score = score.id,
+         .cohort = cohort,
+         .condition = "kalman",
+         .values = std::vector<double>(people, 3.0),
+         .mean = 3.0});
+  }
+  return summary;
+}
+
+std::vector<std::string> idsOf(const std::vector<study::ScoreSummary>& scores) {
+  std::vector<std::string> ids;
+  for (const auto& score : scores) ids.push_back(score.score + " of " + score.cohort);
+  return ids;
+}
+
+/// The compared items are 1.1 to 3.3; the scores have all of them but one, all but two, one, and
+/// two of which the second has one more item than the first.
+TEST(SmallSamples, OfOnePersonHaveNoScoreThatGivesAnAnswerAway) {
+  auto section = tests::madeUpSection();
+  const auto& family = section.results.families.front().family;
+  auto& instrument =
+      *std::ranges::find(section.instruments, family.instrument, &questionnaires::Instrument::id);
+  std::vector<std::string> all;
+  for (const auto& item : protocols::comparedItems(family, instrument.items)) {
+    all.push_back(item.id);
+  }
+  ASSERT_GE(all.size(), 6U);
+  const auto firstItems = [&](std::size_t count) {
+    return std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
+  };
+  instrument.scores.resize(6);
+  const std::vector<std::pair<std::string, std::size_t>> scores{
+      {"all", all.size()},
+      {"all but one", all.size() - 1},
+      {"all but two", all.size() - 2},
+      {"one", 1},
+      {"two", 2},
+      {"three", 3}};
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    instrument.scores[i].id = scores[i].first;
+    instrument.scores[i].items = firstItems(scores[i].second);
+  }
+  auto alone = scoresOf(instrument, 1, "professional");
+  for (auto& one : scoresOf(instrument, 2, "non-professional").scores) {
+    alone.scores.push_back(std::move(one));
+  }
+  alone.acceptable = {{.cohort = "professional", .item = {.itemId = "1.1", .answered = 1}}};
+  section.results.instruments = {alone};
+  leaveOutSmallSamples(section.results, section.instruments);
+  const auto& left = section.results.instruments.front();
+  EXPECT_EQ(
+      idsOf(left.scores),
+      (std::vector<std::string>{
+          "all of professional",
+          "all but two of professional",
+          "two of professional",
+          "all of non-professional",
+          "all but one of non-professional",
+          "all but two of non-professional",
+          "one of non-professional",
+          "two of non-professional",
+          "three of non-professional"}));
+  EXPECT_TRUE(left.acceptable.empty());
+}
+
 TEST(SmallSamples, AreMentionedBesideTheTests) {
   auto section = sectionOf(4);
-  leaveOutSmallSamples(section.results);
+  leaveOutSmallSamples(section.results, section.instruments);
   const auto page = study::report::familyAsHtml(section, section.results.families.front(), {});
   EXPECT_NE(page.find("<p>Left out where a cohort is too small:"), std::string::npos);
 }

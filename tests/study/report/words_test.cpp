@@ -104,7 +104,7 @@ TEST_P(WordsTest, TranslateEverySentenceOfAReport) {
   for (auto& method : section.results.families.front().cohorts.front().checks.methods) {
     method.alpha.respondents = 4;
   }
-  report::leaveOutSmallSamples(section.results);
+  report::leaveOutSmallSamples(section.results, section.instruments);
   section.protocol.texts = {{"institution", text}, {"ethics", text}};
   report::asHtml(sections);
   section.history.versionsSinceBegun = 0;
