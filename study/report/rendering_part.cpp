@@ -13,12 +13,15 @@ constexpr double kThinBand = 0.01;         // of the largest force: as wide as a
 constexpr double kPrintedAlike = 0.005;    // forces that differ by less are printed alike [N]
 constexpr std::ptrdiff_t kFewestFlat = 3;  // points in a row
 
+constexpr std::string_view kOpening = "opening";
+constexpr std::string_view kLargestForce = "largest force";
+
 /// What the landmarks are, see CutDetector.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kMeanings{
     {{"interception", "where the force begins to rise"},
      {"yield", "the largest force before it falls while the tool goes on"},
      {"bottom-out", "the smallest force after that, before it rises again at the end"},
-     {"opening", "where the force was largest before the tool went back, first reached"}}};
+     {kOpening, "the largest force before the tool goes back"}}};
 
 /// @param rising  not empty.
 double medianOf(const std::vector<double>& rising) {
@@ -35,10 +38,13 @@ class RenderingWriter : HtmlWriter {
       paragraph("There are no trials that count.");
       return std::move(html_);
     }
-    for (const auto& svg : section_.figures.renderedForce) {
-      putFigure(svg, curvesCaption());
+    const auto& figures = section_.figures.renderedForce;
+    const auto remarks = remarksOnCurves();
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      const bool isLast = i + 1 == figures.size() && !remarks.empty();
+      putFigure(figures[i], curvesCaption() + (isLast ? " " + remarks : std::string()));
     }
-    putFlatCurves();
+    if (figures.empty() && !remarks.empty()) put("<p>{}</p>", remarks);
     const bool isEmpty =
         std::all_of(section_.curves.begin(), section_.curves.end(), [](const auto& curve) {
           return curve.points.empty();
@@ -121,26 +127,59 @@ class RenderingWriter : HtmlWriter {
     });
   }
 
-  /// Why curves are flat at their largest force.
-  void putFlatCurves() {
+  /// Why curves are flat at their largest force, or fall at their end.
+  std::string remarksOnCurves() const {
     std::string text;
     for (const auto& curve : section_.curves) {
-      const auto force = flatForce(curve);
-      if (!force) continue;
-      const auto why = whyFlat(curve.condition, *force);
-      if (!why.empty()) text += (text.empty() ? "" : " ") + why;
+      const auto plateau = plateauOf(curve);
+      for (const auto& why :
+           {plateau ? whyFlat(curve.condition, plateau->force) : std::string(), whyFalling(curve)})
+        if (!why.empty()) text += (text.empty() ? "" : " ") + why;
     }
-    if (!text.empty()) put("<p>{}</p>", text);
+    return text;
   }
 
-  /// The largest median force of a curve, if several points in a row have it.
-  static std::optional<double> flatForce(const RenderedForceCurve& curve) {
+  /// Where a curve is flat at its largest force.
+  struct Plateau {
+    double travel = 0.0;  ///< of its first point [device's travel unit]
+    double force = 0.0;   ///< the largest median force [N]
+  };
+  /// A curve has a plateau if at least kFewestFlat points in a row are within kPrintedAlike of its
+  /// largest median force. The place of the largest force means nothing on it: noise decides.
+  static std::optional<Plateau> plateauOf(const RenderedForceCurve& curve) {
     if (curve.points.empty()) return std::nullopt;
     const auto most = std::ranges::max(curve.points, {}, &RenderedForceCurve::Point::median).median;
     const auto isMost = [&](const auto& point) { return point.median > most - kPrintedAlike; };
     const auto first = std::ranges::find_if(curve.points, isMost);
     const auto end = std::find_if_not(first, curve.points.end(), isMost);
-    return most > 0.0 && end - first >= kFewestFlat ? std::optional(most) : std::nullopt;
+    if (most <= 0.0 || end - first < kFewestFlat) return std::nullopt;
+    return Plateau{.travel = first->travel, .force = most};
+  }
+
+  std::optional<Plateau> plateauOf(const std::string& id) const {
+    const auto curve = std::ranges::find(section_.curves, id, &RenderedForceCurve::condition);
+    return curve == section_.curves.end() ? std::nullopt : plateauOf(*curve);
+  }
+
+  /// Where the force of a cut fades at its end, which hands may pass.
+  std::string whyFalling(const RenderedForceCurve& curve) const {
+    const auto parts =
+        haptics::engine::partsOf(*section_.protocol.condition(curve.condition)->model);
+    const bool isFading =
+        parts.cut != nullptr && !parts.cut->curve.empty() &&
+        parts.cut->options.extrapolation == haptics::models::Extrapolation::RampOut;
+    const auto points = curve.points.size();
+    const bool isFalling = points > 1 && curve.points[points - 1].median <
+                                             curve.points[points - 2].median - kPrintedAlike;
+    if (!isFading || !isFalling) return {};
+    auto end = parts.cut->curve.end() - 1;  // of the cut, before its own fall to 0
+    while (end != parts.cut->curve.begin() && (end - 1)->force > end->force) --end;
+    const auto fades =
+        say("{} fades beyond {:.1f} {}, where its cut ends.",
+            section_.conditionTitle(curve.condition),
+            end->travel * kindOf(curve.condition).shown.factor,
+            shownUnit(curve.condition));
+    return curve.points.back().travel > end->travel ? fades : std::string();
   }
 
   std::string whyFlat(const std::string& id, double force) const {
@@ -208,11 +247,32 @@ class RenderingWriter : HtmlWriter {
            isZero(one.force.mean, 1.0) && isZero(one.force.standardDeviation, 1.0);
   }
 
+  /// Whether the largest force of every condition is that of its opening.
+  bool isForceOfOpening() const {
+    return std::ranges::all_of(section_.landmarks, [&](const auto& one) {
+      if (one.landmark != kLargestForce) return true;
+      return std::ranges::any_of(section_.landmarks, [&](const auto& opening) {
+        return opening.landmark == kOpening && opening.condition == one.condition &&
+               opening.force.n == one.force.n &&
+               withDeviation(opening.force.mean, opening.force.standardDeviation) ==
+                   withDeviation(one.force.mean, one.force.standardDeviation);
+      });
+    });
+  }
+
   /// Whether a row on this landmark says something.
   bool isShown(std::string_view name) const {
+    if (name == kLargestForce && isForceOfOpening()) return false;
     return std::ranges::any_of(section_.landmarks, [&](const auto& one) {
       return one.landmark == name && isInMostStrokes(one) && !isAlwaysAtOrigin(one);
     });
+  }
+
+  /// Whether an opening is on a plateau of its curve, where it has no place of its own.
+  bool isOnPlateau(const LandmarkSummary& one) const {
+    const auto plateau = plateauOf(one.condition);
+    return one.landmark == kOpening && plateau && one.force.mean &&
+           std::abs(*one.force.mean - plateau->force) < kPrintedAlike;
   }
 
   /// "7.20 (0.28); 4.50 (0.71)", with n if not all strokes have the landmark.
@@ -220,8 +280,11 @@ class RenderingWriter : HtmlWriter {
     const auto n = fmt::format("{} = {}", kN, one.force.n);
     if (!isInMostStrokes(one)) return n;
     const auto factor = kindOf(one.condition).shown.factor;
-    const auto travel = withDeviation(
+    const auto place = withDeviation(
         scaled(one.travel.mean, factor), scaled(one.travel.standardDeviation, factor));
+    const auto begin = plateauOf(one.condition).value_or(Plateau()).travel;
+    const auto plateau = say("from {:.1f}", factor * begin);
+    const auto& travel = isOnPlateau(one) ? plateau : place;
     return travel + (travel.empty() ? "" : "; ") +
            withDeviation(one.force.mean, one.force.standardDeviation) +
            (one.force.n < strokesOf(one.condition) ? ", " + n : std::string());
@@ -248,6 +311,7 @@ class RenderingWriter : HtmlWriter {
     row(counts);
     bool isAnyRare = false;
     bool isAnyEmpty = false;
+    bool isAnyFlat = false;
     for (const auto name : names) {
       std::vector<std::string> cells(columns.size());
       cells.front() = say(name);
@@ -255,6 +319,7 @@ class RenderingWriter : HtmlWriter {
         if (one.landmark != name) continue;
         const auto place = std::ranges::find(conditions, one.condition) - conditions.begin() + 1;
         cells[static_cast<std::size_t>(place)] = landmarkCell(one);
+        isAnyFlat = isAnyFlat || (isInMostStrokes(one) && isOnPlateau(one));
         isAnyRare = isAnyRare || one.force.n < strokesOf(one.condition);
       }
       isAnyEmpty = isAnyEmpty || std::ranges::any_of(cells, &std::string::empty);
@@ -266,15 +331,27 @@ class RenderingWriter : HtmlWriter {
       const auto defined = say(meaning);  // of all: tests find missing translations
       if (isIn(names, name)) text += (text.empty() ? "" : "; ") + say(name) + ": " + defined;
     }
+    const auto flat = say("from: the force is flat from there on, at its largest.");
     const auto none = say("An empty cell: no stroke has it.");
     const auto rare =
         say("n in a cell: the strokes that have the landmark, where not all have it. It has no "
             "mean where fewer than half of them have it, and no row where this is so in every "
             "column.");
     if (!text.empty()) text += ".";
+    if (isAnyFlat) text += " " + flat;
     if (isAnyEmpty) text += " " + none;
+    const auto* kind = section_.protocol.onlyDeviceKind();
+    const bool hasYields = isIn(names, "yield") && !isAnyEmpty;
+    if (kind != nullptr && !hasYields) text += " " + leastFallOf(*kind);
     if (isAnyRare) text += " " + rare;
     if (!text.empty()) put("<p class=\"note\">{}</p>", text);
+  }
+
+  std::string leastFallOf(const haptics::devices::DeviceKind& kind) const {
+    return say(
+        "A fall by less than {:g} N, or by less than {:g} % of the load, counts as no yield.",
+        kind.stroke.yieldDrop,
+        100.0 * kind.stroke.yieldDropRatio);
   }
 
   static bool isIn(const std::vector<std::string_view>& names, std::string_view name) {

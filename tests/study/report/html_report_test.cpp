@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocols/load_protocol.h"
 #include "protocols/model/messages.h"
 #include "study/report/numbering.h"
 #include "study/report/print_html.h"
@@ -406,6 +407,41 @@ TEST(HtmlReport, HasNoLandmarkOfFewStrokesOrAtTheOrigin) {
       {"kalman", "opening", analysis::summarise(all), analysis::summarise(all)});
   EXPECT_TRUE(has(renderingAsHtml(section), "<td>opening</td><td><i>n</i> = 1</td><td>7.10 (0.10)"))
       << "where another alternative has it in all strokes";
+}
+
+TEST(HtmlReport, HasNoPlaceOfAnOpeningWhereTheForceIsFlat) {
+  auto section = tests::madeUpSection();
+  const std::vector<double> travels{9.0, 9.5, 9.4};
+  const std::vector<double> forces{3.0, 3.001, 2.999};
+  section.landmarks = {
+      {"interpolation", "opening", analysis::summarise(travels), analysis::summarise(forces)},
+      {"interpolation", "largest force", {}, analysis::summarise(forces)}};
+  const auto flat = renderingAsHtml(section);
+  EXPECT_TRUE(has(flat, "<td>opening</td><td>from 0.0; 3.00 (0.00)</td>")) << flat;
+  EXPECT_TRUE(has(flat, "from: the force is flat from there on")) << flat;
+  EXPECT_FALSE(has(flat, "<td>largest force</td>")) << "repeats the opening";
+  EXPECT_TRUE(has(flat, "less than 0.25 N, or by less than 8 % of the load, counts as no yield."));
+  auto& points = section.curves.front().points;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].median = 0.1 * static_cast<double>(i);
+  points.back().median = 3.0;
+  const auto rising = renderingAsHtml(section);
+  EXPECT_TRUE(has(rising, "<td>opening</td><td>9.30 (0.26); 3.00 (0.00)</td>")) << rising;
+  EXPECT_FALSE(has(rising, "from: the force")) << rising;
+  section.landmarks.back().force = analysis::summarise(travels);
+  EXPECT_TRUE(has(renderingAsHtml(section), "<td>largest force</td>"));
+}
+
+TEST(HtmlReport, SaysWhereAForceFadesBecauseItsCutEnds) {
+  auto section = tests::madeUpSection();
+  questionnaires::Problems problems;
+  section.protocol.conditions =
+      protocols::loadProtocolFile("punch-counterbalanced", problems)->protocol.conditions;
+  EXPECT_FALSE(has(renderingAsHtml(section), "fades beyond"));
+  section.curves.front().points.push_back({14.0, 1.0, 1.0, 1.0});
+  EXPECT_TRUE(
+      has(renderingAsHtml(section),
+          "Interpolation fades beyond 11.0 travel units, where its cut ends."))
+      << renderingAsHtml(section);
 }
 
 TEST(HtmlReport, ExplainsInACaptionOnlyWhatTheFigureShows) {
