@@ -70,8 +70,8 @@ PinDialog::PinDialog(QWidget* parent)
       *layout,
       MessageRow::Kind::Question,
       tr("Choose a PIN to get your window back"),
-      {tr("The participant gets the whole screen until the PIN is typed. The session goes on, and "
-          "answers are saved as before."),
+      {tr("The participant gets the whole screen until you press “Researcher” there and type the "
+          "PIN. Esc, Pause, F12 or a foot switch stop the force meanwhile."),
        tr("The PIN is valid until the program ends, and is not saved.")},
       *this);
   auto* form = new FieldForm;

@@ -99,6 +99,18 @@ TEST_F(LockedWindow, UnlocksWithThePin) {
   EXPECT_FALSE(button_->isVisible());
 }
 
+TEST_F(LockedWindow, LetsTheStopKeyStopAlsoWhileThePinIsTyped) {
+  StopKey stop;
+  QSignalSpy pressed(&stop, &StopKey::pressed);
+  stop.setArmed(true);
+  QTest::keyClick(&window_, Qt::Key_Escape);
+  EXPECT_EQ(pressed.count(), 1);
+  QTest::mouseClick(button_, Qt::LeftButton);
+  QTest::keyClick(window_.findChild<QLineEdit*>(), Qt::Key_F12);
+  EXPECT_EQ(pressed.count(), 2);
+  EXPECT_TRUE(lock_.isLocked());
+}
+
 TEST(StopKey, WorksInDialogsWhileArmed) {
   StopKey stop;
   QSignalSpy pressed(&stop, &StopKey::pressed);
