@@ -2,6 +2,7 @@
 
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/labels.h"
 #include "study/session/study_key.h"
 
 namespace study::gui {
@@ -10,8 +11,7 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Key of the study"),
           tr("Only the key tells which condition an alternative was. Save a copy of it, and keep "
-             "it "
-             "apart from the study: without a key the conditions can never be told apart again."),
+             "it apart from the study: without a key the alternatives can never be named again."),
           tr("Save"),
           parent),
       folder_(study.folder),
@@ -38,7 +38,7 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   }
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason"));
-  reason_->setPlaceholderText(tr("who gets it: it goes into the audit trail"));
+  reason_->setPlaceholderText(tr("and who gets the copy: for the audit trail"));
   form().addRow(tr("Action"), task_);
   form().addRow(tr("Reason"), reason_);
   form().addRow(tr("New file"), target_);
@@ -48,8 +48,11 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   connect(task_, &QComboBox::currentIndexChanged, this, &KeyDialog::updateChoices);
   connect(reason_, &QLineEdit::textChanged, this, &KeyDialog::updateChoices);
   connect(source_, &PathField::pathChanged, this, &KeyDialog::updateChoices);
+  sameDisk_ = addHint(tr("This is the disk of the study: who gets it gets the key as well."));
+  setRole(*sameDisk_, "warn");
+  connect(target_, &PathField::pathChanged, this, &KeyDialog::updateChoices);
   source_->startIn(folderBeside(folder_));
-  target_->setPath(unusedPathBeside(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
+  target_->startIn(pathInHome(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
   showState();
   updateChoices();
 }
@@ -78,6 +81,7 @@ void KeyDialog::updateChoices() {
   const bool seals = chosenTask() == KeyTask::SealNames;
   form().setRowVisible(reason_, !takes);
   form().setRowVisible(target_, saves);
+  form().setRowVisible(sameDisk_, saves && isOnDiskOf(folder_, target_->path()));
   form().setRowVisible(source_, takes);
   form().setRowVisible(passphrase_, seals);
   form().setRowVisible(passphraseAgain_, seals);
@@ -86,10 +90,12 @@ void KeyDialog::updateChoices() {
   const bool isTypedTwice =
       !passphrase_->text().isEmpty() && passphrase_->text() == passphraseAgain_->text();
   setDisabledReason(
-      takes                   ? (source_->path().isEmpty() ? tr("Choose the file.") : QString())
-      : !isReasoned           ? tr("Give a reason.")
-      : saves || isTypedTwice ? QString()
-                              : tr("Type the same passphrase twice."));
+      takes          ? (source_->path().isEmpty() ? tr("Choose the file.") : QString())
+      : !isReasoned  ? tr("Give a reason.")
+      : saves        ? (target_->path().isEmpty() ? tr("Choose a new file.") : QString())
+      : isTypedTwice ? QString()
+                     : tr("Type the same passphrase twice."));
+  fit();
 }
 
 void KeyDialog::work() {
@@ -112,7 +118,7 @@ void KeyDialog::saveKey() {
   });
   if (!isSaved) return clear();
   showState();
-  target_->setPath(unusedPathBeside(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
+  target_->setPath(QString());
   showWrittenFile(
       target, tr("Key saved: %1. Keep it apart from the study and its backups.").arg(target));
 }

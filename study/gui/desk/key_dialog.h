@@ -37,6 +37,7 @@ class KeyDialog final : public WorkDialog {
   QComboBox* task_;
   QLineEdit* reason_;
   PathField* target_;
+  QLabel* sameDisk_ = nullptr;  ///< warns that the target is on the disk of the study
   PathField* source_;
   QLineEdit* passphrase_;
   QLineEdit* passphraseAgain_;

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QStorageInfo>
 
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/report_work.h"
@@ -77,22 +78,42 @@ QString folderBeside(const std::string& folder) {
   return beside.isWritable() && !beside.isRoot() ? beside.filePath() : documentsFolder();
 }
 
+QString pathInHome(const std::string& folder, const QString& what, const QString& extension) {
+  const QFileInfo beside(unusedPathBeside(folder, what, extension));
+  return QDir::home().filePath(beside.fileName());
+}
+
+bool isOnDiskOf(const std::string& folder, const QString& path) {
+  if (path.isEmpty()) return false;
+  QFileInfo target(path);
+  while (!target.exists() && !target.isRoot()) target.setFile(target.absolutePath());
+  return QStorageInfo(target.absoluteFilePath()).device() ==
+         QStorageInfo(QString::fromStdString(folder)).device();
+}
+
 BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Back up a study"),
           tr("Copies the whole study as it is at one moment, also while sessions are open, and "
              "verifies the copy. Keep it on another disk, as carefully as the study: it contains "
-             "the "
-             "participants' names."),
+             "the participants' names."),
           tr("Back up"),
           parent),
       folder_(study.folder),
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)) {
-  target_->setPath(unusedPathBeside(folder_, QStringLiteral("backup")));
+  target_->startIn(pathInHome(folder_, QStringLiteral("backup")));
   form().addRow(tr("To a new folder"), target_);
-  connect(target_, &PathField::pathChanged, this, [this](const QString& path) {
-    setDisabledReason(path.isEmpty() ? tr("Choose a new folder.") : QString());
-  });
+  sameDisk_ = addHint(tr("This is the disk of the study: if it fails, both are lost."));
+  setRole(*sameDisk_, "warn");
+  connect(target_, &PathField::pathChanged, this, &BackupDialog::updateChoices);
+  updateChoices();
+}
+
+void BackupDialog::updateChoices() {
+  const auto path = target_->path();
+  form().setRowVisible(sameDisk_, isOnDiskOf(folder_, path));
+  setDisabledReason(path.isEmpty() ? tr("Choose a new folder.") : QString());
+  fit();
 }
 
 void BackupDialog::work() {
@@ -112,7 +133,7 @@ void BackupDialog::work() {
         path,
         tr("Backup saved and verified: %1 (%2 MB)").arg(path).arg(megabytes, 0, 'f', 1),
         checks);
-    target_->setPath(unusedPathBeside(folder_, QStringLiteral("backup")));
+    target_->setPath(QString());
   } else {
     showOutcome(Outcome::Bad, tr("The study is damaged, and so is the copy."), checks);
   }

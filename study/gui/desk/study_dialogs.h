@@ -28,8 +28,11 @@ class BackupDialog final : public WorkDialog {
   void work() override;
 
  private:
+  void updateChoices();
+
   std::string folder_;
   PathField* target_;
+  QLabel* sameDisk_ = nullptr;  ///< warns that the target is on the disk of the study
 };
 
 /// Verifies a whole study and lists the result of each check. If the audit trail
@@ -95,6 +98,11 @@ RunMode chosenMode(const QComboBox& choice);
 /// "/home/a/my-study-report-2026-11-23.html", "…-2026-11-23-2.html".
 QString unusedPathBeside(
     const std::string& folder, const QString& what, const QString& extension = {});
+
+/// A path of that name in the user's home folder, where choosing a new file or folder begins.
+QString pathInHome(const std::string& folder, const QString& what, const QString& extension = {});
+/// Whether a new file or folder would be on the same file system as the study.
+bool isOnDiskOf(const std::string& folder, const QString& path);
 
 /// The folder in which a study is; the user's documents if nothing can be written there.
 QString folderBeside(const std::string& folder);
