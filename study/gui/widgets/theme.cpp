@@ -69,10 +69,10 @@ QPushButton[role="next"]:disabled { color: @disabled.text; background: @disabled
 QPushButton[role="next"]:focus { border: 6px double @accent.text; padding: 2px 12px; }
 QPushButton[role="main"] { color: @accent.text; background: @accent; border-color: @accent; font-weight: 600; }
 QPushButton[role="main"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
-QPushButton[role="main"]:focus { border: 2px solid @accent; outline: 2px solid @accent.text; outline-radius: 5px; }
+QPushButton[role="main"]:focus { border: 6px double @accent.text; padding: 2px 12px; }
 QPushButton[role="danger"] { color: @bad.text; background: @bad; border-color: @bad; font-weight: 600; }
 QPushButton[role="danger"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
-QPushButton[role="danger"]:focus { border: 2px solid @bad; outline: 2px solid @bad.text; outline-radius: 5px; }
+QPushButton[role="danger"]:focus { border: 6px double @bad.text; padding: 2px 12px; }
 QPushButton[role="back"] { font-size: 20px; min-height: 46px; }
 QPushButton[role="point"], QPushButton[role="option"] { border-width: 1px; }
 QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 46px; padding: 5px; }
@@ -99,7 +99,7 @@ QPushButton[role="tool"] { min-height: 21px; padding: 5px 10px; }
 QPushButton[role="tool"]:checked:focus { padding: 1px 6px; }
 QPushButton[role="stop"] { color: @stop.text; background: @stop; border-color: @stop; font-size: 24px;
                            font-weight: 700; min-height: 64px; }
-QPushButton[role="stop"]:focus { border: 2px solid @stop; outline: 2px solid @stop.text; outline-radius: 5px; }
+QPushButton[role="stop"]:focus { border: 6px double @stop.text; padding: 2px 12px; }
 QPushButton[role="stop"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QLineEdit, QPlainTextEdit, QComboBox {
   background: @field; border: 2px solid @border; border-radius: 6px; padding: 6px; }
