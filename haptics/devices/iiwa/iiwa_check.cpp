@@ -40,7 +40,7 @@ CheckResult sessionFinding(const MonitoringMessage& message) {
       : isGood
           ? "Start the robot's application."
           : "Connect the controller directly to this computer, and give this program real-time "
-            "priority (docs/devices.md)."};
+            "priority: the page on devices, \"Real time\", says how."};
 }
 
 const char* wordFor(ClientCommandMode mode) noexcept {

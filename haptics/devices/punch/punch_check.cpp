@@ -49,7 +49,8 @@ CheckResult roundTripFinding(const LinkReport& link) {
       formatNumbers("median %.0f µs, p99 %.0f µs", link.roundTrip.quantile(0.5), p99),
       isShort
           ? ""
-          : "Give this program real-time priority (docs/devices.md); stiff scenes may vibrate."};
+          : "Stiff scenes may vibrate. Give this program real-time priority: the page on devices, "
+            "\"Real time\", says how."};
 }
 
 CheckResult leapFinding(std::uint64_t leaps) {

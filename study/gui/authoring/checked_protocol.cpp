@@ -172,7 +172,7 @@ CheckedProtocol checkedProtocol(
          .path = "$",
          .what = base::Message::verbatim(
              said("{} blanks in texts for participants", blanksLeft(*loaded))),
-         .fix = base::Message::verbatim(said("Fill in the texts…"))});
+         .fix = base::Message::verbatim(said("Fill in the texts before the first live session."))});
   }
   return {std::move(source), std::move(text), std::move(loaded), std::move(problems)};
 }

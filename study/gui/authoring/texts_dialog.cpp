@@ -153,9 +153,7 @@ void TextsDialog::showProgress() {
   progress_->setText(
       lacksEnglish ? tr("A text that is given in another language is also needed in English.")
       : filled < all
-          ? tr("%1 of %2 are filled in. Participants would read the others in [[brackets]].")
-                .arg(filled)
-                .arg(all)
+          ? tr("%1 of %2 are filled in. A live session needs them all.").arg(filled).arg(all)
           : tr("All %1 are filled in.").arg(all));
   if (!hasReason) progress_->setText(progress_->text() + QLatin1Char(' ') + tr("Give a reason."));
   saveButton_->setEnabled(!lacksEnglish && hasReason);

@@ -27,7 +27,7 @@ std::vector<Note> notesOf(const ClassSizes& classes) {
     return {{ExportDialog::tr("Nobody is alone with their cohort and background."), Mark::Good}};
   }
   return {
-      {ExportDialog::tr("%1 of %2 people can be recognised by their cohort and background")
+      {ExportDialog::tr("People who can be recognised by their cohort and background: %1 of %2.")
            .arg(classes.peopleInSmallClasses)
            .arg(classes.people),
        Mark::Warning,
@@ -36,8 +36,9 @@ std::vector<Note> notesOf(const ClassSizes& classes) {
 }
 
 /// Whether names of participants are in what is exported.
-Note noteOf(const NameSearchResult& named) {
-  const auto advice = ExportDialog::tr("Read free texts before you give them away.");
+Note noteOf(const NameSearchResult& named, bool hasTexts) {
+  const auto advice =
+      hasTexts ? ExportDialog::tr("Read free texts before you give them away.") : QString();
   if (named.areLocked) {
     return {
         ExportDialog::tr(
@@ -62,8 +63,9 @@ Note noteOf(const NameSearchResult& named) {
   return {
       ExportDialog::tr("No participant's name was found in these data."),
       Mark::Good,
-      {ExportDialog::tr("Names of other people were not searched for.") + QLatin1Char(' ') +
-       advice}};
+      {(ExportDialog::tr("Names of other people were not searched for.") + QLatin1Char(' ') +
+        advice)
+           .trimmed()}};
 }
 
 }  // namespace
@@ -183,7 +185,7 @@ void ExportDialog::showIdentifiability() {
       showDetails({{tr("Nothing in this folder names a person."), Mark::Good}});
     } else {
       auto notes = notesOf(classSizesAsReleased(study, how));
-      notes.push_back(noteOf(searchForNames(study, exportTables(study, how))));
+      notes.push_back(noteOf(searchForNames(study, exportTables(study, how)), how.hasTexts));
       showDetails(notes);
     }
   } catch (const std::exception& error) {

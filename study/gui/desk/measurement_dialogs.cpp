@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QScreen>
 
+#include "haptics/models/interpolation.h"
 #include "study/gui/desk/measurement_work.h"
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/desk_language.h"
@@ -82,8 +83,10 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   form().addRow(tr("Largest slope"), slope_);
   form().addRow(quietLabel(
       tr("Steeper parts of the cut are flattened to it. %1 is the largest stiffness in the cuts of "
-         "the punch paper, at which its device stays stable.")
-          .arg(usualSlope),
+         "the punch paper, at which its device stays stable. The published code also limits the "
+         "force to %2 N.")
+          .arg(usualSlope)
+          .arg(haptics::models::Interpolation<double>::kAuthorsMaxForce),
       this));
   form().addRow(tr("To a new file"), target_);
   form().addRow(cutPlot_->summary());
@@ -279,10 +282,10 @@ void FitMaterialDialog::showResult(const FittedMaterial& fitted) {
   DataTable table{
       .name = "material-errors",
       .description =
-          tr("Largest difference of fit and series [% of the force there, at least of 10 N]")
+          tr("Largest error of the fit [% of the measured force, or of 10 N where that is more]")
               .toStdString(),
       .columns =
-          {words(tr("Test set")),
+          {words(tr("Test")),
            number(tr("Series")),
            number(tr("Depth [mm]")),
            number(tr("Smallest")),
@@ -304,7 +307,9 @@ void FitMaterialDialog::showResult(const FittedMaterial& fitted) {
 BuildBoneDialog::BuildBoneDialog(QWidget* parent)
     : WorkDialog(
           tr("Build a bone of spheres"),
-          tr("Fills the program's own cup with spheres that a reamer takes away."),
+          tr("Fills the program's own acetabulum, a cup-shaped socket, with spheres that a reamer "
+             "takes "
+             "away."),
           tr("Build"),
           parent),
       spheres_(new QSpinBox(this)),

@@ -19,7 +19,7 @@ SelfTestDialog::SelfTestDialog(SelfTestOptions options, QWidget* parent)
       outcome_(bodyLabel({}, this)),
       table_(new FindingsTable(this)),
       details_(new QCheckBox(tr("Show measurements"), this)),
-      beginButton_(new QPushButton(tr("Test"), this)) {
+      beginButton_(new QPushButton(tr("Check"), this)) {
   setWindowTitle(tr("System check"));
   outcome_->setObjectName(QStringLiteral("outcome"));
   outcome_->setVisible(false);
@@ -70,26 +70,24 @@ void SelfTestDialog::test() {
 void SelfTestDialog::fill() {
   table_->show(lines_, details_->isChecked());
   Finding worst = Finding::Pass;
-  bool isComplete = true;
-  for (const auto& line : lines_) {
-    worst = std::max(worst, line.found.finding);
-    isComplete &= line.isTested;
-  }
+  for (const auto& line : lines_) worst = std::max(worst, line.found.finding);
+  const auto tested = std::ranges::count_if(lines_, &FindingLine::isTested);
   const auto ofThese = std::ranges::count_if(
       lines_, [worst](const FindingLine& line) { return line.found.finding == worst; });
   static constexpr const char* kRoles[]{"good", "warn", "bad"};
   setRole(*outcome_, kRoles[static_cast<std::size_t>(worst)]);
   outcome_->setText(
-      worst == Finding::Pass
-          ? (isComplete ? tr("✓  Everything is as it should be.")
-                        : tr("✓  What was tested is as it should be. No device was tested."))
+      worst == Finding::Pass ? tr("✓  What was tested is as it should be.")
       : worst == Finding::Warn
           ? tr("!  A study can be run. What could be better: %1 of %2.")
           : tr("✕  Before a participant comes, what has to be mended: %1 of %2."));
   if (worst != Finding::Pass) {
-    outcome_->setText(outcome_->text().arg(ofThese).arg(lines_.size()));
+    outcome_->setText(outcome_->text().arg(ofThese).arg(tested));
   }
-  beginButton_->setText(tr("Test again"));
+  if (tested < std::ssize(lines_)) {
+    outcome_->setText(outcome_->text() + QLatin1Char(' ') + tr("No device was tested."));
+  }
+  beginButton_->setText(tr("Check again"));
   setRole(*beginButton_, "");
   outcome_->setVisible(true);
   details_->setVisible(true);

@@ -57,7 +57,6 @@ void fill(StudySummary& summary) {
                                name,
                                current.frozenUtc->substr(0, 10))
                          : said("Protocol: {}, can still be changed", name);
-  summary.hasBegun = current.frozenUtc.has_value();
   for (const auto& row : study.sessions().all()) {
     if (row.state == SessionState::Erased) continue;
     ++summary.sessions[row.runMode];

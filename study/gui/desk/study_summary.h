@@ -22,8 +22,7 @@ struct CohortProgress {
 struct StudySummary {
   std::string folder;
   std::string title;
-  std::string protocol;   ///< "Protocol: punch-face-validity 1.0, in use since …"
-  bool hasBegun = false;  ///< a live participant has begun, so the protocol is fixed
+  std::string protocol;  ///< "Protocol: punch-face-validity 1.0, in use since …"
   std::map<RunMode, int> completed;
   std::map<RunMode, int> sessions;  ///< finished or not; without erased ones
   std::vector<CohortProgress> cohorts;

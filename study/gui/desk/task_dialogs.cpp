@@ -39,7 +39,6 @@ AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
           tr("Change"),
           parent),
       folder_(study.folder),
-      hasBegun_(study.hasBegun),
       file_(new PathField(
           PathField::Kind::ExistingFile, tr("Changed protocol"), tr("Protocols (*.json)"), this)),
       reason_(new QLineEdit(this)) {
@@ -48,8 +47,7 @@ AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason for the change"));
   form().addRow(tr("Changed protocol"), file_);
-  form().addRow(
-      hasBegun_ ? tr("Reason for the change") : tr("Reason for the change (optional)"), reason_);
+  form().addRow(tr("Reason for the change"), reason_);
   connect(file_, &PathField::pathChanged, this, &AmendDialog::check);
   connect(reason_, &QLineEdit::textChanged, this, &AmendDialog::updateButton);
   check();
@@ -67,12 +65,11 @@ void AmendDialog::check() {
 }
 
 void AmendDialog::updateButton() {
-  const bool lacksReason = hasBegun_ && reason_->text().trimmed().isEmpty();
   setDisabledReason(
-      file_->path().isEmpty() ? tr("Choose the changed protocol.")
-      : !checked_.loaded      ? tr("The protocol has errors.")
-      : lacksReason           ? tr("Give a reason.")
-                              : QString());
+      file_->path().isEmpty()               ? tr("Choose the changed protocol.")
+      : !checked_.loaded                    ? tr("The protocol has errors.")
+      : reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
+                                            : QString());
 }
 
 void AmendDialog::work() {
@@ -96,8 +93,9 @@ SimulateDialog::SimulateDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Simulate participants"),
           tr("Simulated participants go through the same steps as people, so that reports and "
-             "exports can be tried. Their answers are drawn at random and are kept apart from "
-             "those of people."),
+             "exports can be tried. Their answers follow the protocol’s assumptions on how real "
+             "each "
+             "condition feels, and chance. They are kept apart from those of people."),
           tr("Simulate"),
           parent),
       folder_(study.folder),

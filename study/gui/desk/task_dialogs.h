@@ -35,7 +35,6 @@ class AmendDialog final : public WorkDialog {
   void updateButton();
 
   std::string folder_;
-  bool hasBegun_ = false;  ///< a live session has begun: a change needs a reason
   CheckedProtocol checked_;
   PathField* file_;
   QLineEdit* reason_;

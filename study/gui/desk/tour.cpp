@@ -204,8 +204,8 @@ QWidget* Tour::makeTrialDemonstration() {
   auto* layout = new QVBoxLayout(step);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(quietLabel(
-      tr("On a real punch your fingers would feel the force; here it is only drawn. It is computed "
-         "a thousand times a second, as in a study. It drops where the tissue gives way, and is "
+      tr("With a device your fingers would feel the force; here it is only drawn. It is computed a "
+         "thousand times a second, as in a study. It drops where the tissue gives way, and is "
          "flat at %1 N, to which the published code limits it.")
           .arg(haptics::models::Interpolation<double>::kAuthorsMaxForce),
       step));
@@ -293,7 +293,7 @@ QWidget* Tour::makeRecord() {
 
 void Tour::goTo(int step) {
   static constexpr const char* kHeadings[]{
-      "Feel a cut", "What the participant sees next", "What is recorded"};
+      "Try a cut", "What the participant sees next", "What is recorded"};
   if (punch_.isRunning()) endTrial();
   if (step == kTourSteps - 1) showRecord();
   steps_->setCurrentIndex(step);

@@ -164,7 +164,7 @@ QWidget* HomeWindow::makeTools(QWidget* parent) {
   auto* tools = new QWidget(parent);
   auto* make = new QPushButton(tr("New study…"), tools);
   make->setObjectName(QStringLiteral("new-study"));
-  auto* open = new QPushButton(tr("Open a folder…"), tools);
+  auto* open = new QPushButton(tr("Open a study…"), tools);
   connect(make, &QPushButton::clicked, this, &HomeWindow::makeStudy);
   connect(open, &QPushButton::clicked, this, &HomeWindow::chooseFolder);
   auto* buttons = new QHBoxLayout;
@@ -197,7 +197,7 @@ void HomeWindow::openTool() {
 void HomeWindow::makeMenus() {
   auto* study = menuBar()->addMenu(tr("&Study"));
   study->addAction(tr("&New study…"), QKeySequence::New, this, &HomeWindow::makeStudy);
-  study->addAction(tr("&Open a folder…"), QKeySequence::Open, this, &HomeWindow::chooseFolder);
+  study->addAction(tr("&Open a study…"), QKeySequence::Open, this, &HomeWindow::chooseFolder);
   study->addAction(tr("Check &protocol…"), this, &HomeWindow::askForProtocol);
   study->addAction(tr("&Remove from list"), this, &HomeWindow::removeSelectedFromList);
   study->addAction(tr("Re&fresh"), QKeySequence::Refresh, this, &HomeWindow::refresh);
@@ -365,7 +365,7 @@ void HomeWindow::fillRow(int row) {
   list_->setRow(
       row,
       {.title = QString::fromStdString(study.title),
-       .place = tr("%1, opened %2").arg(QDir(folder).dirName(), opened.section(u' ', 0, 0)),
+       .place = tr("%1, last opened %2").arg(QDir(folder).dirName(), opened.section(u' ', 0, 0)),
        .progress =
            isRead ? sign + QString::fromStdString(sessionsInWords(study)) : QStringLiteral("…"),
        .share = shareOf(study),

@@ -40,7 +40,7 @@ Welcome::Welcome(QWidget* parent)
   lines->addLayout(cards_);
   addCard(
       {tr("Try a cut"),
-       tr("Feel a virtual punch, answer as a participant, and see what is recorded. It takes two "
+       tr("Try a virtual punch, answer as a participant, and see what is recorded. It takes two "
           "minutes, and nothing is saved."),
        tr("Tour in three steps…"),
        "",
@@ -104,7 +104,7 @@ QWidget* Welcome::makeLinks() {
     connect(link, &QPushButton::clicked, this, requestSignal);
     line->addWidget(link);
   };
-  add(tr("Open the folder of a study…"), &Welcome::folderRequested);
+  add(tr("Open a study…"), &Welcome::folderRequested);
   add(tr("Check protocol…"), &Welcome::protocolCheckRequested);
   line->addStretch(1);
   return row;

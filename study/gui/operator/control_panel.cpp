@@ -35,7 +35,7 @@ ControlPanel::ControlPanel(QWidget* parent)
     : QWidget(parent),
       participantLabel_(bodyLabel({}, this)),
       cohort_(quietLabel({}, this)),
-      stop_(new QPushButton(tr("STOP: no force"), this)),
+      stop_(new QPushButton(tr("STOP the force"), this)),
       resume_(new QPushButton(tr("Continue"), this)),
       interviewDone_(new QPushButton(tr("Interview done"), this)),
       countCut_(new QPushButton(tr("Count a cut (F9)"), this)),

@@ -28,9 +28,10 @@ FindingsDialog::FindingsDialog(
       *layout,
       isQuestion ? MessageRow::Kind::Question : MessageRow::Kind::Information,
       {},
-      isQuestion ? QStringList(tr("Trials on a device that failed may break off, and are marked. "
-                                  "Nothing is saved yet."))
-                 : QStringList(tr("A check saves nothing.")),
+      isQuestion
+          ? QStringList(tr("The handle may jerk; trials may break off, and are marked. Nothing is "
+                           "saved yet."))
+          : QStringList(tr("A check saves nothing.")),
       *this);
   verdict_ = qobject_cast<QLabel*>(words->itemAt(0)->widget());
   verdict_->setObjectName(QStringLiteral("verdict"));
@@ -65,6 +66,8 @@ void FindingsDialog::show(const std::vector<PartFindings>& found) {
   const auto worst = std::ranges::max_element(
       lines, {}, [](const FindingLine& line) { return line.found.finding; });
   const auto finding = worst == lines.end() ? Finding::Pass : worst->found.finding;
+  const auto failed = std::ranges::count_if(
+      lines, [](const FindingLine& line) { return line.found.finding == Finding::Fail; });
   table_->show(std::move(lines));
   const bool isBad = finding == Finding::Fail;
   setRole(*verdict_, isBad ? "bad" : finding == Finding::Warn ? "warn" : "good");
@@ -73,8 +76,8 @@ void FindingsDialog::show(const std::vector<PartFindings>& found) {
           ? tr("!  Nothing failed. Look at the lines that are marked \"!\".")
       : !isBad ? tr("✓  All checks passed.")
       : start_->isHidden()
-          ? tr("✕  Some checks failed. Fix the lines that are marked \"✕\", then check again.")
-          : tr("Start the session although some checks failed?"));
+          ? tr("✕  Checks that failed: %1. Fix what is marked \"✕\", then check again.").arg(failed)
+          : tr("Start the session although checks failed (%1)?").arg(failed));
   start_->setText(isBad ? tr("Start anyway") : tr("Start"));
 }
 

@@ -145,7 +145,7 @@ QWidget* SessionsPage::makeEnrolment() {
   auto* layout = new QVBoxLayout(card);
   layout->setContentsMargins(20, 16, 20, 16);
   layout->setSpacing(12);
-  layout->addWidget(sectionHeading(tr("Who is next"), card));
+  layout->addWidget(sectionHeading(tr("Next participant"), card));
   cohortProgress_->setSpacing(8);
   layout->addLayout(cohortProgress_);
   layout->addSpacing(4);

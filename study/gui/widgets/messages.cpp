@@ -262,10 +262,10 @@ constexpr auto kMessages = std::to_array<MessageRow>({
     reason(
         RepeatStep,
         "Repeat",
-        "Go back to step %1 (%2), and repeat it?",
+        "Repeat from step %1 (%2)?",
         "What was answered and measured from that step on is kept as an earlier attempt, and no "
         "longer counts.",
-        "Repeat the step",
+        "Repeat from that step",
         Field::NeededText),
     reason(
         RepeatTrial,

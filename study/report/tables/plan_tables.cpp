@@ -43,8 +43,9 @@ class PlanWriter {
       answer.more += (answer.more.empty() ? "" : "\n") + title + found(family);
       if (isAnyCohortTooSmall(family)) {
         caveat(words_.say(
-            "With fewer than {} participants, no exact paired test can be significant.",
-            family.fewestForSignificance));
+            "With fewer than {} participants, no exact paired test can be significant at α = {}.",
+            family.fewestForSignificance,
+            rounded(family.alphaPerTest, 4)));
       }
       caveat(test(family));
     }
@@ -93,7 +94,8 @@ class PlanWriter {
 
   std::string needed(const FamilyPlan& family) const {
     auto text = words_.say(
-        "{} participants in a cohort find a difference of d_z = {:g} with a probability of {}",
+        "By a paired t-test, {} participants in a cohort find a difference of d_z = {:g} with a "
+        "probability of {}",
         asCell(family.sampleSizeForPower),
         plan_.planOptions.dz,
         percent(plan_.planOptions.power));

@@ -198,7 +198,7 @@ TEST_F(OperatorSession, SaysBeforeARepetitionWhichStepIsRepeated) {
   goTo(StepKind::Questionnaire);
   const int trial = session().stepIndex();  // the step before, counted from 1
   const auto repeat = asked("Repeat…");
-  EXPECT_NE(repeat.find("Go back to step " + std::to_string(trial) + " ("), std::string::npos)
+  EXPECT_NE(repeat.find("Repeat from step " + std::to_string(trial) + " ("), std::string::npos)
       << repeat;
   EXPECT_EQ(asked("Skip…").find("trial"), std::string::npos);
   goTo(StepKind::Trial);

@@ -175,7 +175,7 @@ class Windows {
         {Finding::Warn,
          "round trip",
          "median 1210 µs, p99 4100 µs",
-         "Give this program real-time priority (docs/devices.md); stiff scenes may vibrate."},
+         "Give this program real-time priority: the page on devices says how."},
         {Finding::Fail,
          "faults that the board reports",
          "its encoder jumps",
@@ -217,7 +217,7 @@ class Windows {
     OperatorWindow window;
   };
 
-  /// "Who is next".
+  /// "Next participant".
   Opened betweenSessions() {
     auto idle = std::make_shared<Idle>(Study::open(folder_ / "study", clock_));
     idle->window.setWindowState(Qt::WindowNoState);

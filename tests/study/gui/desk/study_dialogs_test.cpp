@@ -303,7 +303,9 @@ TEST_F(StudyDialogsTest, AmendmentChangesTheProtocolOfNewSessions) {
   const auto file = out_.write("changed.json", text);
   AmendDialog dialog(summaryOf(out_ / "other"));
   auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
-  EXPECT_FALSE(go->isEnabled());
+  dialog.findChild<PathField*>()->setPath(QString::fromStdString(file));
+  EXPECT_FALSE(go->isEnabled()) << "without a reason";
+  dialog.findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("a new title"));
   press(dialog, file);
   EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
   auto study = Study::open(out_ / "other", clock, storage::Database::Access::ReadOnly);
@@ -332,8 +334,6 @@ TEST_F(StudyDialogsTest, SayWhyTheyCannotStart) {
     expectObstacle(*dialog, "There are no such sessions yet.");
   }
   BackupDialog backup(summary());
-  EXPECT_TRUE(backup.findChild<QPushButton*>(QStringLiteral("go"))->isEnabled());
-  backup.findChild<PathField*>()->setPath(QString());
   expectObstacle(backup, "Choose a new folder.");
 }
 
@@ -408,7 +408,8 @@ TEST_F(StudyDialogsTest, PlanSaysFirstWhatTheStudyCanFind) {
   const auto answer = report::planInWords(plan);
   EXPECT_EQ(
       dialog.findChild<QLabel*>(QStringLiteral("finding"))->text().toStdString(), answer.finding);
-  EXPECT_TRUE(answer.finding.starts_with("14 participants in a cohort find")) << answer.finding;
+  EXPECT_TRUE(answer.finding.starts_with("By a paired t-test, 14 participants in a cohort find"))
+      << answer.finding;
   const auto caveats = dialog.findChild<NoteList*>(QStringLiteral("caveats"))->text();
   EXPECT_TRUE(caveats.contains(QStringLiteral("paired t-test"))) << caveats.toStdString();
   EXPECT_TRUE(caveats.contains(QStringLiteral("declares another test (Welch")))
@@ -487,8 +488,8 @@ TEST_F(StudyDialogsTest, ExportSaysWhatACodedFolderTellsOfPeopleBeforeWriting) {
   ExportDialog dialog(summaryOf(made.folder()));
   for (const int audience : {0, 1}) {
     dialog.findChild<QComboBox*>(QStringLiteral("audience"))->setCurrentIndex(audience);
-    EXPECT_TRUE(more(dialog).contains(
-        QStringLiteral("1 of 1 people can be recognised by their cohort and background")))
+    EXPECT_TRUE(
+        more(dialog).contains(QStringLiteral("recognised by their cohort and background: 1 of 1.")))
         << more(dialog).toStdString();
     EXPECT_FALSE(more(dialog).contains(QStringLiteral("--"))) << "an option of the command line";
     EXPECT_FALSE(more(dialog).contains(u'`'));
