@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -57,27 +58,27 @@ struct Finding {
 
 constexpr Finding kHigher{
     "By the declared test ({}), {} was rated significantly higher than {}{}.",
-    "It was rated significantly higher than {}{}."};
+    "{} was rated significantly higher than {}{}."};
 constexpr Finding kLower{
     "By the declared test ({}), {} was rated significantly lower than {}{}.",
-    "It was rated significantly lower than {}{}."};
+    "{} was rated significantly lower than {}{}."};
 constexpr Finding kPooledHigher{
     "By the declared test ({}), which takes all answers as independent, {} was rated significantly "
     "higher than {}{}.",
-    "It was rated significantly higher than {}{}."};
+    "{} was rated significantly higher than {}{}."};
 constexpr Finding kPooledLower{
     "By the declared test ({}), which takes all answers as independent, {} was rated significantly "
     "lower than {}{}.",
-    "It was rated significantly lower than {}{}."};
+    "{} was rated significantly lower than {}{}."};
 constexpr Finding kMixed{
     "By the declared test ({}), the rating of {} differs from that of {} by {}.",
-    "Its rating differs from that of {} by {}."};
+    "The rating of {} differs from that of {} by {}."};
 constexpr Finding kMixedHigher{
     "By the declared test ({}), {} was rated higher than {} by {}.",
-    "It was rated higher than {} by {}."};
+    "{} was rated higher than {} by {}."};
 constexpr Finding kAlike{
     "By the declared test ({}), {} was rated neither significantly higher nor lower than {}{}.",
-    "It was rated neither significantly higher nor lower than {}{}."};
+    "{} was rated neither significantly higher nor lower than {}{}."};
 
 /// The best alternative against another one, over the cohorts in which both were tested.
 struct Outcome {
@@ -213,7 +214,48 @@ class VerdictWriter {
       sentences.push_back(sentenceOn(kAlike, alike, inAny, false));
       sentences.push_back(sizesOf(alike));
     }
+    std::ranges::move(otherDifferences(family), std::back_inserter(sentences));
     return sentences;
+  }
+
+  /// The significant differences between alternatives other than the best one.
+  Names otherDifferences(const FamilyResult& family) const {
+    std::map<std::pair<std::string, std::string>, Names> cohorts;  // by the higher and the lower
+    for (const auto& part : family.cohorts) {
+      for (const auto& row : declaredIn(family, part)) {
+        if (row.has(best_) || !row.isDefined() || !row.test->isSignificant.value_or(false))
+          continue;
+        const double difference = *row.difference->estimate.value;
+        const auto& who = section_.cohortTitle(part.cohort);
+        const bool isPooledOnly = family.isNamed("welch") && !agreesWithin(row, difference);
+        cohorts
+            [difference > 0.0 ? std::pair(row.group1, row.group2)
+                              : std::pair(row.group2, row.group1)]
+                .push_back(isPooledOnly ? words_.say("{}, only with pooled answers", who) : who);
+      }
+    }
+    constexpr std::size_t kMost = 3;  // what a reader keeps in mind
+    if (cohorts.size() > kMost) {
+      return {words_.say(
+          "{} pairs of other alternatives differ significantly as well: see the table.",
+          cohorts.size())};
+    }
+    Names sentences;
+    for (const auto& [pair, where] : cohorts) {
+      sentences.push_back(words_.say(
+          "{} was also rated significantly higher than {} ({}).",
+          section_.conditionTitle(pair.first),
+          section_.conditionTitle(pair.second),
+          fmt::format("{}", fmt::join(where, "; "))));
+    }
+    return sentences;
+  }
+
+  /// Whether the paired t-test finds a significant @p difference of the same sign.
+  static bool agreesWithin(const Declared& row, double difference) {
+    const auto& within = *row.withinPeople;
+    return within.p && within.isSignificant.value_or(false) &&
+           within.estimate.value.value_or(0.0) * difference > 0.0;
   }
 
   /// What differences that are not significant do not show.
@@ -251,7 +293,7 @@ class VerdictWriter {
   template <typename... Args>
   std::string say(const Finding& finding, const Args&... args) {
     const auto first = words_.say(finding.first, test_, section_.introducedTitle(best_), args...);
-    const auto next = words_.say(finding.next, args...);
+    const auto next = words_.say(finding.next, section_.conditionTitle(best_), args...);
     return std::exchange(isTestNamed_, true) ? next : first;
   }
 
@@ -278,12 +320,17 @@ class VerdictWriter {
     const auto add = [&](const std::string& clause, const Names& names) {
       if (!names.empty()) text += (text.empty() ? "" : ", ") + clause;
     };
-    add(words_.say("significant for {}", listed(all, words_)), all);
+    const auto in = [&](const char* which) {
+      const bool isOfSeveral =
+          std::ranges::all_of(outcomes, [](const auto& one) { return one.testedCohorts > 1; });
+      return isOfSeveral ? " " + words_(which) : std::string();
+    };
+    add(words_.say("significant for {}", listed(all, words_)) + in("in each cohort"), all);
     add(listed(some, words_), some);
-    add(words_.say("not significant for {}", listed(none, words_)), none);
+    add(words_.say("not significant for {}", listed(none, words_)) + in("in any cohort"), none);
     add(words_.say("not testable for {}", listed(untested, words_)), untested);
     return words_.say(
-        "; compared within people ({}, exploratory), this is {}",
+        ". Compared within people ({}, exploratory), this is {}",
         testInWords(protocols::TestType::PairedT, words_),
         text);
   }
@@ -297,15 +344,13 @@ class VerdictWriter {
         const double sign = row.group1 == best_ ? 1.0 : -1.0;
         const double difference = sign * *row.difference->estimate.value;
         const bool isSignificant = row.test->isSignificant.value_or(false);
-        const auto& within = *row.withinPeople;
-        const bool agrees = within.p && within.isSignificant.value_or(false) &&
-                            sign * within.estimate.value.value_or(0.0) * difference > 0.0;
+        const bool agrees = agreesWithin(row, sign * difference);
         ++outcome.testedCohorts;
         outcome.points.push_back(difference);
         if (difference < 0.0) outcome.isHigherInEach = false;
         if (isSignificant)
           ++(difference > 0.0 ? outcome.significantlyHigher : outcome.significantlyLower);
-        if (within.p) ++outcome.testedWithin;
+        if (row.withinPeople->p) ++outcome.testedWithin;
         if (agrees) ++outcome.significantWithin;
         const auto points = rounded(difference, 2);
         const auto& who = section_.cohortTitle(part.cohort);

@@ -43,13 +43,29 @@ TEST(Claims, CallsNoPooledResultSignificantWithoutTheResultWithinPeople) {
   const auto answer = verdictOf(section);
   EXPECT_TRUE(has(
       answer,
-      "; compared within people (paired t-test of participants’ means, exploratory), this is not "
+      ". Compared within people (paired t-test of participants’ means, exploratory), this is not "
       "significant for KF, not testable for FEM."))
       << answer;
   family.family.test = protocols::TestType::PairedT;
   EXPECT_FALSE(has(verdictOf(section), "independent"));
   EXPECT_TRUE(
       has(verdictOf(section), "By the declared test (paired t-test of participants’ means), "));
+}
+
+TEST(Claims, TellsSignificantDifferencesThatTheBestAlternativeHasNoPartIn) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.test = protocols::TestType::PairedT;
+  auto& row = pairedT(family, 0, "kalman", "finite-elements");
+  row.estimate = {"difference", 0.8};
+  row.p = 0.01;
+  row.isSignificant = false;
+  EXPECT_FALSE(has(verdictOf(section), "KF was also rated"));
+  row.isSignificant = true;
+  EXPECT_TRUE(
+      has(verdictOf(section),
+          " KF was also rated significantly higher than FEM (Orthopaedic surgeons)."))
+      << verdictOf(section);
 }
 
 TEST(Claims, CallsNoAbsenceOfSignificanceAlikeness) {

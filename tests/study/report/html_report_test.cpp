@@ -144,7 +144,7 @@ TEST(HtmlReport, BeginsWithAPlainSentence) {
       main,
       ">By the declared test (Welch’s t-test of all answers, pooled), which takes all answers as "
       "independent, Interpolation was rated significantly higher than FEM (finite elements) and KF "
-      "(Kalman filter); compared within people (paired t-test of participants’ "
+      "(Kalman filter). Compared within people (paired t-test of participants’ "
       "means, exploratory), this is significant for FEM and KF. Asked “"))
       << main.substr(verdict, 600);
   EXPECT_TRUE(
