@@ -11,8 +11,8 @@ BenchmarkPage::BenchmarkPage(const Content& content, QWidget* picture, QWidget* 
     : QWidget(parent),
       minimumCuts_(content.minimumCuts),
       stage_(new Stage(tr("Benchmark: real cuts"), picture, Stage::Panel::Card, this)),
-      count_(new CutCounter(content.minimumCuts, {tr("cut"), tr("cuts")}, this)),
-      enough_(bodyLabel(tr("That is enough. Press Next, or make more cuts first."), this)),
+      cutCounter_(new CutCounter(content.minimumCuts, {tr("cut"), tr("cuts")}, this)),
+      enoughHint_(bodyLabel(tr("That is enough. Press Next, or make more cuts first."), this)),
       next_(new QPushButton(content.next, this)) {
   addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
   stage_->setCaption(tr("The real instrument"));
@@ -20,9 +20,9 @@ BenchmarkPage::BenchmarkPage(const Content& content, QWidget* picture, QWidget* 
   auto* key = bodyLabel(tr("You will compare every alternative with these cuts."), this);
   text->setProperty("role", QStringLiteral("statement"));
   key->setProperty("role", QStringLiteral("key"));
-  enough_->setProperty("role", QStringLiteral("text"));
-  for (auto* label : {text, key, enough_}) stage_->words().addWidget(label);
-  stage_->setCounter(count_);
+  enoughHint_->setProperty("role", QStringLiteral("text"));
+  for (auto* label : {text, key, enoughHint_}) stage_->words().addWidget(label);
+  stage_->setCounter(cutCounter_);
   stage_->addButton(next_);
   connect(next_, &QPushButton::clicked, this, &BenchmarkPage::finishRequested);
   setCuts(0);
@@ -30,8 +30,8 @@ BenchmarkPage::BenchmarkPage(const Content& content, QWidget* picture, QWidget* 
 
 void BenchmarkPage::setCuts(int cuts) {
   const int left = minimumCuts_ - cuts;
-  count_->setCount(cuts);
-  enough_->setVisible(left <= 0);
+  cutCounter_->setCount(cuts);
+  enoughHint_->setVisible(left <= 0);
   next_->setEnabled(left <= 0);
   stage_->setReason(
       left > 0 ? tr("The researcher counts your cuts: %1 left").arg(left) : QString());

@@ -32,8 +32,8 @@ class BenchmarkPage final : public QWidget {
  private:
   int minimumCuts_;
   Stage* stage_;
-  CutCounter* count_;
-  QLabel* enough_;  ///< says that no more cuts are needed
+  CutCounter* cutCounter_;
+  QLabel* enoughHint_;  ///< says that no more cuts are needed
   QPushButton* next_;
 };
 

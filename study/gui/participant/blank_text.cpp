@@ -12,7 +12,7 @@ QString withBlanksNamed(const QString& text) {
       QStringLiteral("]]"), ParticipantWindow::tr(": to be filled in") + QStringLiteral("]]"));
 }
 
-QString withoutTornNumbers(const QString& text) {
+QString withUnbrokenNumbers(const QString& text) {
   // A number at the start of a line is one of a list in Markdown.
   static const QRegularExpression kBeforeWord(
       QStringLiteral("([^\\n\\d.]\\d{1,4}\\.?) (?=\\p{L})"));

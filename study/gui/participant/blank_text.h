@@ -10,6 +10,6 @@ QString withBlanksNamed(const QString& text);
 
 /// A text in which no line ends between a number and the word that it belongs to, as in "31 March
 /// 2027", or between a title and a name.
-QString withoutTornNumbers(const QString& text);
+QString withUnbrokenNumbers(const QString& text);
 
 }  // namespace study::gui

@@ -29,7 +29,7 @@ constexpr int kMostInARow = 11;  // points of a scale
 }  // namespace
 
 PointItem::PointItem(const Item& item, const QString& language, QWidget* parent)
-    : ItemWidget(item, language, parent, Statement::Beside), buttons_(nullptr) {
+    : ItemWidget(item, language, parent, StatementPlace::Beside), buttons_(nullptr) {
   const bool isBetweenWords = item.type == ItemType::SemanticDifferential;
   const QString low = text(isBetweenWords ? item.leftText : item.scale.lowLabel);
   const QString high = text(isBetweenWords ? item.rightText : item.scale.highLabel);

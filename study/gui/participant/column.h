@@ -7,7 +7,7 @@ namespace study::gui {
 
 enum class ColumnWidth {
   Text,  ///< up to about 75 characters, so that text is easy to read
-  Page,  ///< of a page, also on a very wide screen
+  Page,  ///< the width of a page, which is limited on a very wide screen
 };
 
 enum class ColumnIn {

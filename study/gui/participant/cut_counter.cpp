@@ -15,8 +15,8 @@ constexpr int kBeforeWords = 4;  // [px] at scale 1, between the dots and the wo
 constexpr int kMostDots = 12;    // more are hard to count; the words say it as well
 }  // namespace
 
-CutCounter::CutCounter(int needed, const Strokes& strokes, QWidget* parent)
-    : QWidget(parent), cutsNeeded_(needed), strokes_(strokes), words_(bodyLabel({}, this)) {
+CutCounter::CutCounter(int needed, const StrokeWords& strokes, QWidget* parent)
+    : QWidget(parent), cutsNeeded_(needed), strokeWords_(strokes), words_(bodyLabel({}, this)) {
   words_->setProperty("role", QStringLiteral("count"));
   words_->setWordWrap(false);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -73,8 +73,8 @@ void CutCounter::setCount(int made) {
       made <= cutsNeeded_ ? tr("%1 of %2 %3")
                                 .arg(made)
                                 .arg(cutsNeeded_)
-                                .arg(cutsNeeded_ == 1 ? strokes_.one : strokes_.several)
-                          : tr("%1 %2").arg(made).arg(strokes_.several));
+                                .arg(cutsNeeded_ == 1 ? strokeWords_.one : strokeWords_.several)
+                          : tr("%1 %2").arg(made).arg(strokeWords_.several));
   updateGeometry();
   arrange();
 }

@@ -12,11 +12,11 @@ class CutCounter final : public QWidget {
 
  public:
   /// What is counted: "cut", and "cuts".
-  struct Strokes {
+  struct StrokeWords {
     QString one;
     QString several;
   };
-  CutCounter(int needed, const Strokes& strokes, QWidget* parent = nullptr);
+  CutCounter(int needed, const StrokeWords& strokes, QWidget* parent = nullptr);
 
   void setCount(int made);
 
@@ -36,7 +36,7 @@ class CutCounter final : public QWidget {
 
   int cutsNeeded_;
   int cutsMade_ = -1;
-  Strokes strokes_;
+  StrokeWords strokeWords_;
   QLabel* words_;
 };
 

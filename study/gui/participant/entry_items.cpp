@@ -16,7 +16,7 @@ using questionnaires::Item;
 using questionnaires::ItemType;
 using questionnaires::Response;
 
-constexpr int kTypingRests = 600;  // [ms]
+constexpr int kTypingPause = 600;  // [ms]
 
 QString number(double value) {
   return QLocale::c().toString(value, 'g', 10);
@@ -25,7 +25,7 @@ QString number(double value) {
 }  // namespace
 
 SliderItem::SliderItem(const Item& item, const QString& language, QWidget* parent)
-    : ItemWidget(item, language, parent, Statement::Beside), slider_(new AnswerSlider(this)) {
+    : ItemWidget(item, language, parent, StatementPlace::Beside), slider_(new AnswerSlider(this)) {
   slider_->setRange(0, static_cast<int>(std::lround((item.most - item.least) / step())));
   slider_->setAccessibleName(
       tr("%1: from %2 to %3").arg(text(item.text), text(item.leftText), text(item.rightText)));
@@ -88,17 +88,17 @@ void NumberItem::show(const Response& response) {
 }
 
 TextItem::TextItem(const Item& item, const QString& language, QWidget* parent)
-    : ItemWidget(item, language, parent), rest_(new QTimer(this)) {
-  rest_->setSingleShot(true);
-  rest_->setInterval(kTypingRests);
-  const auto startRest = [this] { rest_->start(); };
+    : ItemWidget(item, language, parent), pauseTimer_(new QTimer(this)) {
+  pauseTimer_->setSingleShot(true);
+  pauseTimer_->setInterval(kTypingPause);
+  const auto restartPauseTimer = [this] { pauseTimer_->start(); };
   if (item.type == ItemType::ShortText) {
     line_ = new QLineEdit(this);
     line_->setProperty("role", QStringLiteral("answer"));
     line_->setAccessibleName(text(item.text));
     rows().addWidget(line_);
     setFocusProxy(line_);
-    connect(line_, &QLineEdit::textChanged, rest_, startRest);
+    connect(line_, &QLineEdit::textChanged, pauseTimer_, restartPauseTimer);
   } else {
     lines_ = new QPlainTextEdit(this);
     lines_->setTabChangesFocus(true);
@@ -106,18 +106,18 @@ TextItem::TextItem(const Item& item, const QString& language, QWidget* parent)
     lines_->setAccessibleName(text(item.text));
     rows().addWidget(lines_);
     setFocusProxy(lines_);
-    connect(lines_, &QPlainTextEdit::textChanged, rest_, startRest);
+    connect(lines_, &QPlainTextEdit::textChanged, pauseTimer_, restartPauseTimer);
   }
-  connect(rest_, &QTimer::timeout, this, &ItemWidget::changed);
+  connect(pauseTimer_, &QTimer::timeout, this, &ItemWidget::changed);
 }
 
-QString TextItem::written() const {
+QString TextItem::typedText() const {
   return line_ != nullptr ? line_->text() : lines_->toPlainText();
 }
 
 std::optional<Response> TextItem::response() const {
-  if (written().isEmpty()) return std::nullopt;
-  return written().toStdString();
+  if (typedText().isEmpty()) return std::nullopt;
+  return typedText().toStdString();
 }
 
 void TextItem::show(const Response& response) {
@@ -126,7 +126,7 @@ void TextItem::show(const Response& response) {
   const QSignalBlocker quiet(this);
   if (line_ != nullptr) line_->setText(QString::fromStdString(*words));
   if (lines_ != nullptr) lines_->setPlainText(QString::fromStdString(*words));
-  rest_->stop();
+  pauseTimer_->stop();
 }
 
 }  // namespace study::gui

@@ -47,11 +47,11 @@ class TextItem final : public ItemWidget {
   void show(const questionnaires::Response& response) override;
 
  private:
-  QString written() const;
+  QString typedText() const;
 
   QLineEdit* line_ = nullptr;
   QPlainTextEdit* lines_ = nullptr;
-  QTimer* rest_;
+  QTimer* pauseTimer_;
 };
 
 }  // namespace study::gui

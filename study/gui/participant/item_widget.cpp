@@ -17,11 +17,14 @@ namespace study::gui {
 using questionnaires::ItemType;
 
 ItemWidget::ItemWidget(
-    const questionnaires::Item& item, const QString& language, QWidget* parent, Statement place)
+    const questionnaires::Item& item,
+    const QString& language,
+    QWidget* parent,
+    StatementPlace place)
     : QWidget(parent),
       item_(item),
       language_(language),
-      place_(place),
+      statementPlace_(place),
       parts_(new QBoxLayout(QBoxLayout::TopToBottom, this)),
       field_(new QWidget(this)),
       rows_(new QVBoxLayout(field_)) {
@@ -43,7 +46,8 @@ void ItemWidget::showStatement(const QString& words) {
   parts_->insertWidget(0, statement_);
 }
 
-/// As if the statement were above: otherwise a window could not be made narrower.
+/// The minimum size with the statement above the field. A statement beside the field would prevent
+/// the window from being made narrower.
 QSize ItemWidget::minimumSizeHint() const {
   const int statement = statement_ == nullptr ? 0 : statement_->minimumSizeHint().width();
   return {
@@ -52,18 +56,18 @@ QSize ItemWidget::minimumSizeHint() const {
 
 void ItemWidget::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  if (place_ == Statement::Above || statement_ == nullptr) return;
+  if (statementPlace_ == StatementPlace::Above || statement_ == nullptr) return;
   constexpr int kRoomForBoth = 900;  // [px] at scale 1
   const bool isBeside = width() >= scaled(*this, kRoomForBoth);
   parts_->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   parts_->setSpacing(scaled(*this, isBeside ? 28 : 10));
-  constexpr int kOfStatement = 9;  // shares of the width
+  constexpr int kStatementShare = 9;  // shares of the width
   constexpr int kOfField = 10;
-  parts_->setStretchFactor(statement_, isBeside ? kOfStatement : 0);
+  parts_->setStretchFactor(statement_, isBeside ? kStatementShare : 0);
   parts_->setStretchFactor(field_, isBeside ? kOfField : 0);
 }
 
-void ItemWidget::remarkOn(const QString& remark) {
+void ItemWidget::addRemark(const QString& remark) {
   const auto words = item_.text.isEmpty() ? QString() : text(item_.text) + QLatin1Char(' ');
   showStatement(words + remark);
 }

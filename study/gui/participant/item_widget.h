@@ -29,21 +29,21 @@ class ItemWidget : public QWidget {
     std::vector<Alternative> alternatives;
   };
 
-  enum class Statement {
-    Above,   ///< the field in which the answer is given
-    Beside,  ///< it, where there is room
+  enum class StatementPlace {
+    Above,   ///< above the field in which the answer is given
+    Beside,  ///< beside that field, if there is room
   };
 
   ItemWidget(
       const questionnaires::Item& item,
       const QString& language,
       QWidget* parent,
-      Statement place = Statement::Above);
+      StatementPlace place = StatementPlace::Above);
 
   const questionnaires::Item& item() const noexcept { return item_; }
 
   /// Writes @p remark, such as "(optional)", after the statement.
-  void remarkOn(const QString& remark);
+  void addRemark(const QString& remark);
   /// Puts @p widget beside the field in which the answer is written.
   void putBesideField(QWidget& widget);
 
@@ -59,7 +59,7 @@ class ItemWidget : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
-  /// What is below or beside the statement.
+  /// The layout for widgets below or beside the statement.
   QVBoxLayout& rows() noexcept { return *rows_; }
   QString text(const questionnaires::LocalizedText& text) const;
 
@@ -68,7 +68,7 @@ class ItemWidget : public QWidget {
 
   questionnaires::Item item_;
   QString language_;
-  Statement place_;
+  StatementPlace statementPlace_;
   QBoxLayout* parts_;  ///< the statement and the rows
   QWidget* field_;
   QVBoxLayout* rows_;

@@ -13,10 +13,10 @@ namespace study::gui {
 namespace {
 
 /// Qt does not wrap the words of a button.
-QString inLines(QString text) {
-  constexpr qsizetype kLine = 54;  // [characters] that fit into the column of a small window
-  for (qsizetype start = 0; text.size() - start > kLine;) {
-    const auto space = text.lastIndexOf(QLatin1Char(' '), start + kLine);
+QString brokenIntoLines(QString text) {
+  constexpr qsizetype kLineLength = 54;  // [characters] that fit into the column of a small window
+  for (qsizetype start = 0; text.size() - start > kLineLength;) {
+    const auto space = text.lastIndexOf(QLatin1Char(' '), start + kLineLength);
     if (space <= start) break;
     text[space] = QLatin1Char('\n');
     start = space + 1;
@@ -92,7 +92,7 @@ OptionButtons::OptionButtons(
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setSpacing(scaled(*this, 8));
   for (const auto& option : options) {
-    auto* button = new RingButton(inLines(option.text), this);
+    auto* button = new RingButton(brokenIntoLines(option.text), this);
     button->setCheckable(true);
     button->setProperty("role", role);
     button->setProperty("isMirrored", layoutDirection() == Qt::RightToLeft);
@@ -112,7 +112,7 @@ void OptionButtons::makeLarge() {
   for (auto* button : buttons_) button->setProperty("isLarge", true);
 }
 
-int OptionButtons::widest() const {
+int OptionButtons::widestButton() const {
   int width = 0;
   for (auto* button : buttons_) {
     button->ensurePolished();
@@ -126,7 +126,7 @@ int OptionButtons::widest() const {
 int OptionButtons::columnsAt(int width) const {
   const int count = static_cast<int>(buttons_.size());
   const int between = grid_->spacing();
-  const int most = std::clamp((width + between) / std::max(1, widest() + between), 1, count);
+  const int most = std::clamp((width + between) / std::max(1, widestButton() + between), 1, count);
   const int rows = (count + most - 1) / most;
   return (count + rows - 1) / rows;
 }
@@ -145,7 +145,7 @@ void OptionButtons::fill(int columns) {
 /// As wide as one column, so that a window can be made narrower again.
 QSize OptionButtons::minimumSizeHint() const {
   const QSize least = QWidget::minimumSizeHint();
-  return isFlexible_ ? QSize(std::min(widest(), least.width()), least.height()) : least;
+  return isFlexible_ ? QSize(std::min(widestButton(), least.width()), least.height()) : least;
 }
 
 void OptionButtons::resizeEvent(QResizeEvent* event) {

@@ -40,7 +40,7 @@ class OptionButtons final : public QWidget {
   void choose(int index);
   QPushButton* button(int index) const { return buttons_[static_cast<std::size_t>(index)]; }
 
-  /// For a choice that a page is all about.
+  /// Makes the buttons large, for a page that asks only this question.
   void makeLarge();
 
   QSize minimumSizeHint() const override;
@@ -55,7 +55,7 @@ class OptionButtons final : public QWidget {
 
  private:
   bool moveFocus(int from, int key);
-  int widest() const;
+  int widestButton() const;
   int columnsAt(int width) const;
   void fill(int columns);
 

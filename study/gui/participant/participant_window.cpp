@@ -41,11 +41,11 @@ ParticipantWindow::ParticipantWindow(
       controller_(controller),
       moveHand_(std::move(moveHand)),
       progress_(new QProgressBar(this)),
-      step_(bodyLabel({}, this)),
+      stepLabel_(bodyLabel({}, this)),
       languages_(new QComboBox(this)),
       rows_(new QVBoxLayout(this)),
       place_(new QVBoxLayout),
-      fold_(new QFrame(this)),
+      foldLine_(new QFrame(this)),
       bottom_(new QWidget(this)),
       remark_(bodyLabel({}, this)),
       back_(new QPushButton(this)),
@@ -68,7 +68,7 @@ ParticipantWindow::ParticipantWindow(
 
   auto* header = new QWidget(this);
   auto* top = new QHBoxLayout;
-  step_->setWordWrap(false);
+  stepLabel_->setWordWrap(false);
   auto* end = new QHBoxLayout;
   for (auto* row : {top, end}) row->setSpacing(18);
   constexpr int kOfProgress = 11;  // shares of the width, so that the bar ends at one place
@@ -76,7 +76,7 @@ ParticipantWindow::ParticipantWindow(
   top->addWidget(progress_, kOfProgress);
   top->addLayout(end, kOfEnd);
   end->addStretch(1);
-  end->addWidget(step_);
+  end->addWidget(stepLabel_);
   languages_->setProperty("role", QStringLiteral("language"));
   languages_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // the font grows with the window
   // The arrow grows as well, but Qt reserves only the width of a small one. A minimum length, in
@@ -96,12 +96,12 @@ ParticipantWindow::ParticipantWindow(
   addColumn(*header, ColumnWidth::Page)->addLayout(top);
   auto* foot = addColumn(*bottom_, ColumnWidth::Page);
   foot->setSpacing(8);
-  foot->addWidget(fold_);
+  foot->addWidget(foldLine_);
   foot->addLayout(buttons);
-  fold_->setProperty("role", QStringLiteral("fold"));
-  auto place = fold_->sizePolicy();
+  foldLine_->setProperty("role", QStringLiteral("fold"));
+  auto place = foldLine_->sizePolicy();
   place.setRetainSizeWhenHidden(true);
-  fold_->setSizePolicy(place);
+  foldLine_->setSizePolicy(place);
   // A window that was made smaller gets its smaller scale only after the layout.
   rows_->setSizeConstraint(QLayout::SetNoConstraint);
   rows_->addWidget(header);
@@ -133,7 +133,7 @@ double scaleFor(QSize size) noexcept {
 }
 
 /// Scales the distances in a page that was made at another scale.
-static void spaceOut(QWidget& page, double ratio) {
+static void scaleDistances(QWidget& page, double ratio) {
   const auto scaledBy = [ratio](int length) {
     return static_cast<int>(std::lround(ratio * length));
   };
@@ -152,10 +152,10 @@ void ParticipantWindow::adjustScale() {
   const double scale = scaleFor(size());
   if (scale == scale_) return;
   const double ratio = scale_ > 0.0 ? scale / scale_ : 1.0;
-  for (auto* page : {page_, reading_}) {
-    if (page != nullptr) spaceOut(*page, ratio);
+  for (auto* page : {page_, readAgainPage_}) {
+    if (page != nullptr) scaleDistances(*page, ratio);
   }
-  for (auto* frame : {rows_->itemAt(0)->widget(), bottom_}) spaceOut(*frame, ratio);
+  for (auto* frame : {rows_->itemAt(0)->widget(), bottom_}) scaleDistances(*frame, ratio);
   scale_ = scale;
   setWindowTheme(*this, ThemeName::Light, scale);  // the same for each participant
   // As high on each page as with the languages, so that all titles are at one height.
@@ -174,7 +174,7 @@ void ParticipantWindow::resizeEvent(QResizeEvent* event) {
 
 QString ParticipantWindow::localized(const questionnaires::LocalizedText& text) const {
   return withBlanksNamed(
-      withoutTornNumbers(QString::fromStdString(text.in(controller_.session().language()))));
+      withUnbrokenNumbers(QString::fromStdString(text.in(controller_.session().language()))));
 }
 
 QString ParticipantWindow::alternativeName(const QString& label) const {
@@ -238,7 +238,7 @@ void ParticipantWindow::readAgain() {
   const auto& session = controller_.session();
   const auto& before = session.plan()[static_cast<std::size_t>(session.stepIndex() - 1)];
   const auto* instrument = session.protocol().instrument(before.instrument);
-  reading_ = new QuestionnairePage(
+  readAgainPage_ = new QuestionnairePage(
       {.title = localized(instrument->title),
        .introduction = localized(instrument->introduction),
        .items = {},
@@ -247,21 +247,21 @@ void ParticipantWindow::readAgain() {
        .before = {}},
       this);
   page_->hide();
-  place_->addWidget(reading_);
+  place_->addWidget(readAgainPage_);
   back_->hide();
   remark_->clear();
-  reading_->setFocus();
+  readAgainPage_->setFocus();
 }
 
 void ParticipantWindow::stopReadingAgain() {
-  delete std::exchange(reading_, nullptr);
+  delete std::exchange(readAgainPage_, nullptr);
   page_->show();
   page_->setFocus();
   showUnanswered(false);
 }
 
 void ParticipantWindow::goOn() {
-  if (reading_ != nullptr) return stopReadingAgain();
+  if (readAgainPage_ != nullptr) return stopReadingAgain();
   if (questions_ == nullptr) {
     controller_.finishStep();
     return;
@@ -272,23 +272,23 @@ void ParticipantWindow::goOn() {
     return;
   }
   showsUnanswered_ = false;
-  if (!questions_->turn(true)) controller_.finishStep();
+  if (!questions_->turnSheet(true)) controller_.finishStep();
 }
 
 void ParticipantWindow::goBack() {
   showsUnanswered_ = false;
-  if (questions_ == nullptr || reading_ != nullptr) return;
-  if (!questions_->turn(false)) readAgain();
+  if (questions_ == nullptr || readAgainPage_ != nullptr) return;
+  if (!questions_->turnSheet(false)) readAgain();
 }
 
 /// Says how many questions are open once Next was pressed, or that the page goes on below.
 void ParticipantWindow::showUnanswered(bool isAskedFor) {
   // Answers typed before Back are stored while the text is read again.
-  if (questions_ == nullptr || reading_ != nullptr) return;
+  if (questions_ == nullptr || readAgainPage_ != nullptr) return;
   showsUnanswered_ = showsUnanswered_ || isAskedFor;
   const bool isFirst = controller_.session().stepIndex() == 0 && questions_->sheet() == 0;
   back_->setVisible(!isFirst && (questions_->sheet() > 0 || mayReadAgain()));
-  fold_->setVisible(questions_->hasMoreBelow());
+  foldLine_->setVisible(questions_->hasMoreBelow());
   updateProgress();
   const auto progress = questions_->progress();
   QString words;
@@ -304,7 +304,7 @@ void ParticipantWindow::showUnanswered(bool isAskedFor) {
 }
 
 void ParticipantWindow::showPage(QWidget* page) {
-  delete std::exchange(reading_, nullptr);
+  delete std::exchange(readAgainPage_, nullptr);
   if (page_ != nullptr) {
     page_->hide();
     page_->setParent(nullptr);  // so that findChild() does not return it any more
@@ -329,7 +329,7 @@ QWidget* ParticipantWindow::makePage() {
   showsUnanswered_ = false;
   remark_->clear();
   back_->hide();
-  fold_->hide();
+  foldLine_->hide();
   next_->setVisible(true);
   next_->setEnabled(true);
   const auto& session = controller_.session();
@@ -554,8 +554,8 @@ void ParticipantWindow::updateProgress() {
   const auto& session = controller_.session();
   progress_->setRange(0, static_cast<int>(session.plan().size()));
   progress_->setValue(session.stepIndex() + 1);
-  step_->setText(whereInSession().join(QStringLiteral(" · ")));
-  progress_->setAccessibleName(step_->text());
+  stepLabel_->setText(whereInSession().join(QStringLiteral(" · ")));
+  progress_->setAccessibleName(stepLabel_->text());
 }
 
 void ParticipantWindow::updateTrial() {

@@ -75,19 +75,20 @@ class ParticipantWindow final : public QWidget {
   SessionController& controller_;
   std::function<void(double)> moveHand_;
   QProgressBar* progress_;
-  QLabel* step_;  ///< beside it: "Round 1 of 2 · Step 5 of 19"
+  QLabel* stepLabel_;  ///< beside it: "Round 1 of 2 · Step 5 of 19"
   QComboBox* languages_;
   QVBoxLayout* rows_;  ///< of the window
   QVBoxLayout* place_;
-  QFrame* fold_;     ///< a line below a page that goes on below
-  QWidget* bottom_;  ///< with the buttons
-  QLabel* remark_;   ///< beside Next: what is left to do on this page
+  QFrame* foldLine_;  ///< a line below a page that goes on below
+  QWidget* bottom_;   ///< with the buttons
+  QLabel* remark_;    ///< beside Next: what is left to do on this page
   QPushButton* back_;
   QPushButton* next_;
   QPushButton* operator_;
   ScreenLock* lock_;
   QWidget* page_ = nullptr;
-  QWidget* reading_ = nullptr;  ///< the text before the step, while it is read again over the page
+  QWidget* readAgainPage_ =
+      nullptr;  ///< the text before the step, while it is read again over the page
   TrialPage* trialPage_ = nullptr;
   QuestionnairePage* questions_ = nullptr;
   double scale_ = 0.0;

@@ -32,7 +32,7 @@ std::vector<Item> withSignatures(std::vector<Item> items) {
 }
 
 // [ms] for a participant who has already aimed to notice that another question is there now
-constexpr int kSettling = 700;
+constexpr int kIgnoreTime = 700;
 
 /// The clauses of a consent text: its paragraphs, each with the heading above it.
 QStringList clausesOf(const QString& text) {
@@ -51,16 +51,16 @@ QStringList clausesOf(const QString& text) {
 
 /// Divides a text at one of its headings, so that both parts are about equally long.
 std::pair<QString, QString> inTwoColumns(const QString& text) {
-  constexpr double kLine = 66.0;        // [characters]
-  constexpr double kOfHeading = 2.2;    // [lines], with the gaps around it
-  constexpr double kOfParagraph = 0.6;  // [lines], the gap below it
+  constexpr double kLineLength = 66.0;     // [characters]
+  constexpr double kHeadingLines = 2.2;    // [lines], with the gaps around it
+  constexpr double kParagraphLines = 0.6;  // [lines], the gap below it
   const auto clauses = clausesOf(text);
   std::vector<double> lengths;
   for (const auto& clause : clauses) {
-    double lines = clause.startsWith(u'#') ? kOfHeading : 0.0;
+    double lines = clause.startsWith(u'#') ? kHeadingLines : 0.0;
     for (const auto& line : clause.split(u'\n', Qt::SkipEmptyParts)) {
       if (!line.startsWith(u'#'))
-        lines += std::ceil(static_cast<double>(line.size()) / kLine) + kOfParagraph;
+        lines += std::ceil(static_cast<double>(line.size()) / kLineLength) + kParagraphLines;
     }
     lengths.push_back(lines);
   }
@@ -92,20 +92,20 @@ bool isSignature(const std::vector<Item>& items, std::size_t index) {
 QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
     : QWidget(parent),
       scroll_(new PageScroll(this)),
-      inside_(new QWidget(scroll_)),
+      scrollContents_(new QWidget(scroll_)),
       items_(withSignatures(content.items)),
       language_(content.language),
-      settling_(new QTimer(this)) {
-  settling_->setObjectName(QStringLiteral("settling"));
-  settling_->setSingleShot(true);
-  settling_->setInterval(kSettling);
-  connect(settling_, &QTimer::timeout, this, [this] {
+      ignoreTimer_(new QTimer(this)) {
+  ignoreTimer_->setObjectName(QStringLiteral("settling"));
+  ignoreTimer_->setSingleShot(true);
+  ignoreTimer_->setInterval(kIgnoreTime);
+  connect(ignoreTimer_, &QTimer::timeout, this, [this] {
     for (auto* sheet : sheets_) sheet->setAttribute(Qt::WA_TransparentForMouseEvents, false);
   });
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   addContents(content);
-  scroll_->setWidget(inside_);
+  scroll_->setWidget(scrollContents_);
   outer->addWidget(scroll_);
   // A focus frame around the first answer would look like a choice and could influence
   // participants. It appears with the first Tab.
@@ -117,24 +117,24 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
   connect(bar, &QScrollBar::rangeChanged, this, &QuestionnairePage::scrolled);
   shown_.start();
   shownAt_.front() = 0.0;
-  updateAsked();
+  updateAskedItems();
 }
 
 /// The title; below it the introduction and the questions, or both in two columns: a text that is
 /// only read, and the terms of a consent beside the question.
 void QuestionnairePage::addContents(const Content& content) {
-  auto* column = addColumn(*inside_, ColumnWidth::Page, ColumnIn::Scroll);
+  auto* column = addColumn(*scrollContents_, ColumnWidth::Page, ColumnIn::Scroll);
   const bool isConsent = std::any_of(
       items_.begin(), items_.end(), [](const Item& item) { return !item.consentOption.empty(); });
-  column->addWidget(titleLabel(content.title, inside_));
-  auto* questions = new QWidget(inside_);
+  column->addWidget(titleLabel(content.title, scrollContents_));
+  auto* questions = new QWidget(scrollContents_);
   place_ = new QVBoxLayout(questions);
   place_->setContentsMargins(0, 0, 0, 0);
   if (isConsent) {
-    column->addWidget(new SideBySide(makeTerms(content.introduction), questions, inside_));
+    column->addWidget(new SideBySide(makeTerms(content.introduction), questions, scrollContents_));
   } else {
     const auto& text = content.introduction;
-    if (!text.isEmpty()) column->addWidget(items_.empty() ? makeText(text) : inLines(text));
+    if (!text.isEmpty()) column->addWidget(items_.empty() ? makeText(text) : makeTextInLines(text));
     column->addWidget(questions);
     questions->setVisible(!items_.empty());
   }
@@ -148,7 +148,7 @@ void QuestionnairePage::addContents(const Content& content) {
 
 /// The terms of a consent, one below the other.
 QWidget* QuestionnairePage::makeTerms(const QString& introduction) {
-  auto* head = new QWidget(inside_);
+  auto* head = new QWidget(scrollContents_);
   auto* clauses = new QVBoxLayout(head);
   clauses->setContentsMargins(0, 0, 0, 0);
   constexpr int kBetweenClauses = 14;  // [px] at scale 1
@@ -158,8 +158,8 @@ QWidget* QuestionnairePage::makeTerms(const QString& introduction) {
 }
 
 /// A text in lines of about 75 characters.
-QWidget* QuestionnairePage::inLines(const QString& markdown) {
-  auto* part = new QWidget(inside_);
+QWidget* QuestionnairePage::makeTextInLines(const QString& markdown) {
+  auto* part = new QWidget(scrollContents_);
   auto* across = new QHBoxLayout(part);
   across->setContentsMargins(0, 0, 0, 0);
   auto* text = new QWidget(part);
@@ -176,12 +176,12 @@ QWidget* QuestionnairePage::inLines(const QString& markdown) {
 /// A text that is only read, in two columns where there is room.
 QWidget* QuestionnairePage::makeText(const QString& introduction) {
   const auto [first, second] = inTwoColumns(introduction);
-  if (second.isEmpty()) return inLines(first);
-  return new SideBySide(inLines(first), inLines(second), inside_);
+  if (second.isEmpty()) return makeTextInLines(first);
+  return new SideBySide(makeTextInLines(first), makeTextInLines(second), scrollContents_);
 }
 
 void QuestionnairePage::addSheet() {
-  auto* sheet = new QWidget(inside_);
+  auto* sheet = new QWidget(scrollContents_);
   auto* layout = new QVBoxLayout(sheet);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(scaled(*this, 14));
@@ -194,7 +194,7 @@ void QuestionnairePage::addSheet() {
 /// A frame with one clause of a consent text, separate from the next one so that each is read by
 /// itself.
 QFrame* QuestionnairePage::clauseOf(const QString& text) {
-  auto* clause = new QFrame(inside_);
+  auto* clause = new QFrame(scrollContents_);
   clause->setProperty("role", QStringLiteral("clause"));
   auto* layout = new QVBoxLayout(clause);
   const int above = scaled(*this, 5);
@@ -229,7 +229,7 @@ void QuestionnairePage::addItem(const Content& content, std::size_t index) {
   card->layout()->addWidget(mark);
   card->layout()->addWidget(widget);
   // A name in place of a signature says itself when it is wanted.
-  if (!item.isRequired && !isSignature(items_, index)) widget->remarkOn(tr("(optional)"));
+  if (!item.isRequired && !isSignature(items_, index)) widget->addRemark(tr("(optional)"));
   if (isSignature(items_, index) && !items_[index - 1].consentOption.empty()) {
     const auto today = QLocale(content.language).toString(QDate::currentDate(), tr("d MMMM yyyy"));
     auto* date = quietLabel(tr("Date: %1").arg(today), widget);
@@ -248,7 +248,7 @@ void QuestionnairePage::addItem(const Content& content, std::size_t index) {
   }
   connect(widget, &ItemWidget::changed, this, [this, index] {
     emitAnswer(index);
-    updateAsked();
+    updateAskedItems();
     emit progressChanged();
   });
 }
@@ -314,7 +314,7 @@ void QuestionnairePage::scrollToFirstUnanswered() {
   scroll_->verticalScrollBar()->setValue(top - margin);
 }
 
-bool QuestionnairePage::turn(bool isForward) {
+bool QuestionnairePage::turnSheet(bool isForward) {
   const auto hasQuestions = [this](int sheet) {
     return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
       return entry.sheet == sheet && entry.isAsked;
@@ -366,7 +366,7 @@ void QuestionnairePage::emitAnswer(std::size_t index) {
 
 /// Shows the items whose conditions hold, and retracts the answers to those whose conditions do not
 /// hold any more.
-void QuestionnairePage::updateAsked() {
+void QuestionnairePage::updateAskedItems() {
   std::vector<questionnaires::Answer> given;
   for (const auto& entry : entries_) {
     given.push_back({entry.widget->item().id, entry.widget->response()});
@@ -387,7 +387,7 @@ void QuestionnairePage::updateAsked() {
 void QuestionnairePage::ignorePresses() {
   if (!isVisible()) return;
   sheets_[static_cast<std::size_t>(sheet_)]->setAttribute(Qt::WA_TransparentForMouseEvents);
-  settling_->start();
+  ignoreTimer_->start();
 }
 
 void QuestionnairePage::markUnsaved(const QString& item) {

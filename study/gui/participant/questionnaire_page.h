@@ -54,7 +54,7 @@ class QuestionnairePage final : public QWidget {
   int sheets() const noexcept { return static_cast<int>(sheets_.size()); }
   /// Shows the next sheet, or the one before, on which something is asked.
   /// @return false, with nothing changed, if there is none.
-  bool turn(bool isForward);
+  bool turnSheet(bool isForward);
 
   /// Emits the answers that have been entered but not emitted yet, or that could not be saved.
   void flush();
@@ -91,7 +91,7 @@ class QuestionnairePage final : public QWidget {
 
   void addContents(const Content& content);
   QWidget* makeTerms(const QString& introduction);
-  QWidget* inLines(const QString& markdown);
+  QWidget* makeTextInLines(const QString& markdown);
   QWidget* makeText(const QString& introduction);
   void addSheet();
   void addItem(const Content& content, std::size_t index);
@@ -101,13 +101,13 @@ class QuestionnairePage final : public QWidget {
   bool isOpen(const Entry& entry) const;
   void mark(Entry& entry, bool isOpen);
   void emitAnswer(std::size_t index);
-  void updateAsked();
+  void updateAskedItems();
   void ignorePresses();
   double now() const;
 
   PageScroll* scroll_;
-  QWidget* inside_;               ///< of it
-  QVBoxLayout* place_ = nullptr;  ///< of the sheets
+  QWidget* scrollContents_;       ///< of it
+  QVBoxLayout* place_ = nullptr;  ///< layout that contains the sheets
   std::vector<QWidget*> sheets_;
   std::vector<double> shownAt_;  ///< when each sheet was first shown [s]; −1: not yet
   int sheet_ = 0;
@@ -115,7 +115,7 @@ class QuestionnairePage final : public QWidget {
   std::vector<questionnaires::Item> items_;
   QString language_;
   QElapsedTimer shown_;
-  QTimer* settling_;  ///< runs while presses are ignored, because questions have moved
+  QTimer* ignoreTimer_;  ///< runs while presses are ignored, because questions have moved
 };
 
 }  // namespace study::gui

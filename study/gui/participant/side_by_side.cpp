@@ -19,7 +19,7 @@ SideBySide::SideBySide(QWidget* first, QWidget* second, QWidget* parent)
   parts_->setSpacing(scaled(*this, kBelowPart));
   for (auto* part : {first, second}) {
     auto* column = new QWidget(this);
-    // Whatever a part would like to be, both are equally wide.
+    // Ignores the preferred widths of the parts, so that both are equally wide.
     column->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* rows = new QVBoxLayout(column);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -33,7 +33,8 @@ bool SideBySide::isSideBySide() const noexcept {
   return parts_->direction() == QBoxLayout::LeftToRight;
 }
 
-/// As if one were below the other: otherwise a window could not be made narrower.
+/// The minimum size with one part below the other. Two parts side by side would prevent the window
+/// from being made narrower.
 QSize SideBySide::minimumSizeHint() const {
   int width = 0;
   for (int i = 0; i < parts_->count(); ++i) {

@@ -29,7 +29,7 @@ class Stage final : public QWidget {
   QVBoxLayout& words() noexcept { return *words_; }
   /// Puts @p counter below the words, or beside the title if the panel is between.
   void setCounter(QWidget* counter);
-  /// Adds a button to the foot. Those that are added last are at its end.
+  /// Adds a button at the end of the foot.
   void addButton(QPushButton* button);
   /// Why the button cannot be pressed yet; empty: it can.
   void setReason(const QString& reason);

@@ -19,8 +19,8 @@ namespace study::gui {
 namespace {
 
 constexpr double kWholeStroke = 220.0;  // [px]: dragging distance that closes the handle completely
-constexpr int kClosing = 1200;          // [ms] of the space bar, from open to closed
-constexpr int kOpening = 400;
+constexpr int kClosingTime = 1200;      // [ms] of the space bar, from open to closed
+constexpr int kOpeningTime = 400;
 
 /// The number of a step, before its words.
 QLabel* stepNumber(int number, QWidget* parent) {
@@ -40,12 +40,12 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
           picture != nullptr ? picture : toolCardOf(*content.device, this),
           picture != nullptr ? Stage::Panel::Picture : Stage::Panel::Card,
           this)),
-      count_(new CutCounter(
+      cutCounter_(new CutCounter(
           content.minimumCuts,
           {asText(content.device->strokeName.in(content.language)),
            asText(content.device->strokesName.in(content.language))},
           this)),
-      numbering_(bodyLabel(
+      numberingHint_(bodyLabel(
           tr("The numbers start again: %1 may now stand for something else than before.")
               .arg(content.name),
           this)),
@@ -62,7 +62,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
   addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
   stage_->setCaption(tr("The handle of the simulator"));
   addWords();
-  stage_->setCounter(count_);
+  stage_->setCounter(cutCounter_);
   for (auto* button : {declineButton_, beginButton_, doneButton_}) stage_->addButton(button);
   connect(beginButton_, &QPushButton::clicked, this, &TrialPage::beginRequested);
   connect(doneButton_, &QPushButton::clicked, this, &TrialPage::finishRequested);
@@ -97,8 +97,8 @@ void TrialPage::addWords() {
     byFeel->setProperty("role", QStringLiteral("key"));
     words.addWidget(byFeel);
   }
-  numbering_->setProperty("role", QStringLiteral("text"));
-  words.addWidget(numbering_);
+  numberingHint_->setProperty("role", QStringLiteral("text"));
+  words.addWidget(numberingHint_);
   auto* steps = new QGridLayout;
   steps->setHorizontalSpacing(scaled(*this, 10));
   steps->setVerticalSpacing(scaled(*this, 10));
@@ -125,11 +125,11 @@ QString TrialPage::howTo() const {
 void TrialPage::setRunning(bool isRunning, bool isVirtual) {
   isRunning_ = isRunning;
   beginButton_->setVisible(!isRunning);
-  numbering_->setVisible(!isRunning && content_.reusesLabels);
+  numberingHint_->setVisible(!isRunning && content_.reusesLabels);
   doneButton_->setVisible(isRunning);
   declineButton_->setVisible(!isRunning && content_.isOptionalTrial);
   const bool isOffer = !isRunning && content_.isOptionalTrial;
-  count_->setVisible(!isOffer);
+  cutCounter_->setVisible(!isOffer);
   takeHint_->setText(isRunning ? QString() : tr("Press Begin, then take the instrument."));
   takeHint_->setVisible(!isRunning && !isOffer);
   for (auto* number : stepNumbers_) number->setVisible(!isRunning && !isOffer);
@@ -142,7 +142,7 @@ void TrialPage::setRunning(bool isRunning, bool isVirtual) {
 }
 
 void TrialPage::setCuts(int cuts) {
-  count_->setCount(cuts);
+  cutCounter_->setCount(cuts);
   const int left = content_.minimumCuts - cuts;
   const bool isEnough = isRunning_ && left <= 0;
   if (isEnough && !doneButton_->isEnabled()) {
@@ -171,7 +171,7 @@ void TrialPage::mouseReleaseEvent(QMouseEvent* /*event*/) {
 
 void TrialPage::keyPressEvent(QKeyEvent* event) {
   if (isRunning_ && event->key() == Qt::Key_Space) {
-    if (!event->isAutoRepeat()) moveHandTo(1.0, kClosing);
+    if (!event->isAutoRepeat()) moveHandTo(1.0, kClosingTime);
     return;
   }
   const bool isReamer = content_.device->tissue == haptics::devices::Tissue::Bone;
@@ -184,7 +184,7 @@ void TrialPage::keyPressEvent(QKeyEvent* event) {
 
 void TrialPage::keyReleaseEvent(QKeyEvent* event) {
   if (isRunning_ && event->key() == Qt::Key_Space) {
-    if (!event->isAutoRepeat()) moveHandTo(0.0, kOpening);
+    if (!event->isAutoRepeat()) moveHandTo(0.0, kOpeningTime);
     return;
   }
   QWidget::keyReleaseEvent(event);

@@ -68,10 +68,10 @@ class TrialPage final : public QWidget {
 
   Content content_;
   Stage* stage_;
-  CutCounter* count_;
-  QLabel* numbering_;   ///< says that numbers start again, where they do
-  QLabel* takeHint_;    ///< the first step: to take the instrument
-  QLabel* strokeHint_;  ///< the second one
+  CutCounter* cutCounter_;
+  QLabel* numberingHint_;  ///< says that numbers start again, where they do
+  QLabel* takeHint_;       ///< the first step: to take the instrument
+  QLabel* strokeHint_;     ///< the second one
   std::array<QLabel*, 2> stepNumbers_;
   QLabel* pointerHint_;  ///< how this page moves a virtual instrument
   QPushButton* beginButton_;

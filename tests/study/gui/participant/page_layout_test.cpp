@@ -339,7 +339,7 @@ TEST(PageLayout, TearsNoDateAndNoTitleFromItsName) {
   }
   bound.replace(
       QStringLiteral("March 2027"), QStringLiteral("March") + QChar(QChar::Nbsp) + "2027");
-  EXPECT_EQ(withoutTornNumbers(text), bound);
+  EXPECT_EQ(withUnbrokenNumbers(text), bound);
 }
 
 }  // namespace page_layout_test

@@ -271,14 +271,14 @@ TEST(QuestionnairePage, ShowsOneSheetAfterTheOther) {
   Shown shown(items);
   EXPECT_EQ(shown.page.sheets(), 2);
   EXPECT_EQ(shown.page.progress().required, 2);
-  EXPECT_FALSE(shown.page.turn(false)) << "there is none before the first";
-  EXPECT_TRUE(shown.page.turn(true));
+  EXPECT_FALSE(shown.page.turnSheet(false)) << "there is none before the first";
+  EXPECT_TRUE(shown.page.turnSheet(true));
   const auto rows = shown.page.findChildren<OptionButtons*>();
   EXPECT_FALSE(rows[1]->isVisible());
   EXPECT_TRUE(rows[2]->isVisible());
-  EXPECT_FALSE(shown.page.turn(true));
+  EXPECT_FALSE(shown.page.turnSheet(true));
   EXPECT_FALSE(shown.page.isComplete()) << "also the sheet that is not shown counts";
-  EXPECT_TRUE(shown.page.turn(false));
+  EXPECT_TRUE(shown.page.turnSheet(false));
   EXPECT_TRUE(rows[1]->isVisible());
 }
 
@@ -300,10 +300,10 @@ TEST(QuestionnairePage, AsksAndRetractsWhatDependsOnAnAnswer) {
   auto* why = shown.page.findChild<QLineEdit*>();
   sure->choose(1);
   EXPECT_TRUE(shown.page.isComplete());
-  EXPECT_FALSE(shown.page.turn(true)) << "nothing is asked on the second sheet";
+  EXPECT_FALSE(shown.page.turnSheet(true)) << "nothing is asked on the second sheet";
   sure->choose(0);
   EXPECT_FALSE(shown.page.isComplete());
-  ASSERT_TRUE(shown.page.turn(true));
+  ASSERT_TRUE(shown.page.turnSheet(true));
   EXPECT_TRUE(why->isVisible());
   why->setText(QStringLiteral("7"));
   EXPECT_TRUE(shown.page.isComplete());
