@@ -11,10 +11,10 @@
 #include <system_error>
 #include <utility>
 
+#include "haptics/timing/monotonic_clock.h"
+
 namespace haptics::devices {
 namespace {
-
-constexpr std::int64_t kSecond = 1'000'000'000;  // [ns]
 
 sockaddr_in nativeOf(const Endpoint& endpoint) noexcept {
   sockaddr_in native{};
@@ -51,7 +51,7 @@ std::optional<std::uint16_t> portFrom(std::string_view text) {
 
 bool waitFor(int descriptor, std::int64_t wait) noexcept {
   pollfd awaited{.fd = descriptor, .events = POLLIN, .revents = 0};
-  const timespec time{.tv_sec = wait / kSecond, .tv_nsec = wait % kSecond};
+  const timespec time{.tv_sec = wait / timing::kSecond, .tv_nsec = wait % timing::kSecond};
   return ppoll(&awaited, 1, &time, nullptr) > 0;
 }
 

@@ -9,21 +9,13 @@
 namespace haptics::emulators {
 namespace {
 
+using devices::asJoints;
+using devices::asVector;
 using devices::JointVector;
 using devices::Wrench;
 using wire::fri::ClientCommandMode;
 using wire::fri::ControlMode;
 using wire::fri::Joints;
-
-JointVector vectorOf(const Joints& joints) noexcept {
-  return JointVector(joints.data());
-}
-
-Joints jointsOf(const JointVector& vector) noexcept {
-  Joints joints{};
-  std::copy_n(vector.data(), joints.size(), joints.begin());
-  return joints;
-}
 
 /// Converts from the wire's order Fx Fy Fz τA τB τC.
 Wrench fromWire(const wire::fri::Vector6& values) noexcept {
@@ -34,21 +26,6 @@ Wrench fromWire(const wire::fri::Vector6& values) noexcept {
 
 wire::fri::Vector6 toWire(const Wrench& wrench) noexcept {
   return {wrench[0], wrench[1], wrench[2], wrench[5], wrench[4], wrench[3]};
-}
-
-Wrench rotated(const Eigen::Matrix3d& rotation, const Wrench& wrench) noexcept {
-  Wrench result;
-  result.head<3>() = rotation * wrench.head<3>();
-  result.tail<3>() = rotation * wrench.tail<3>();
-  return result;
-}
-
-/// @p wrench in the axes of a frame of orientation @p rotation.
-Wrench inAxesOf(const Eigen::Matrix3d& rotation, const Wrench& wrench) noexcept {
-  Wrench result;
-  result.head<3>() = rotation.transpose() * wrench.head<3>();
-  result.tail<3>() = rotation.transpose() * wrench.tail<3>();
-  return result;
 }
 
 /// The shortest rotation of the z axis to the unit vector @p axis (Rodrigues' formula, with sin θ
@@ -111,7 +88,7 @@ SurgeonHand::Grip gripOf(
 
 FriArm::FriArm(const Options& options)
     : options_(validated(options)),
-      arm_(kinematicsOf(options_), vectorOf(options_.start)),
+      arm_(kinematicsOf(options_), asVector(options_.start)),
       holdingImpedance_(stiffestImpedance()),
       start_(arm_.tool()),
       hand_(options_.person),
@@ -125,7 +102,7 @@ FriArm::FriArm(const Options& options)
 
 void FriArm::hold() noexcept {
   arm_.setControl(holdingImpedance_);
-  heldPosition_ = jointsOf(arm_.position());
+  heldPosition_ = asJoints(arm_.position());
   apply({});
 }
 
@@ -139,9 +116,9 @@ void FriArm::attachHand() noexcept {
 }
 
 void FriArm::apply(const wire::fri::CommandData& command) noexcept {
-  arm_.commandPosition(vectorOf(command.jointPosition.value_or(heldPosition_)));
+  arm_.commandPosition(asVector(command.jointPosition.value_or(heldPosition_)));
   setOverlay(command);
-  arm_.setOverlayTorque(vectorOf(overlayTorque_));
+  arm_.setOverlayTorque(asVector(overlayTorque_));
 }
 
 void FriArm::step(double dt) noexcept {
@@ -155,20 +132,20 @@ void FriArm::setOverlay(const wire::fri::CommandData& command) noexcept {
   overlay_ = isWrench ? fromWire(command.wrench.value_or(wire::fri::Vector6{})) : Wrench::Zero();
   overlayTorque_ = isTorque ? command.jointTorque.value_or(Joints{}) : Joints{};
   constexpr double kPositionTolerance = 1e-6;  // [rad]
-  const JointVector away = arm_.commandedPosition() - vectorOf(heldPosition_);
+  const JointVector away = arm_.commandedPosition() - asVector(heldPosition_);
   const bool isElsewhere = options_.command == ClientCommandMode::JointPosition &&
                            away.cwiseAbs().maxCoeff() > kPositionTolerance;
-  hasOverlay_ = isElsewhere || !overlay_.isZero(0.0) || !vectorOf(overlayTorque_).isZero(0.0);
+  hasOverlay_ = isElsewhere || !overlay_.isZero(0.0) || !asVector(overlayTorque_).isZero(0.0);
 }
 
 Joints FriArm::commandedPosition() const noexcept {
-  return jointsOf(arm_.commandedPosition());
+  return asJoints(arm_.commandedPosition());
 }
 
 /// The smallest wrench at the tool, in the base's axes, that causes the joint torques @p torque; it
 /// stays finite near a singular pose.
 Wrench FriArm::wrenchOf(const JointVector& torque) const noexcept {
-  const devices::IiwaJacobian jacobian = arm_.kinematics().jacobian(arm_.position());
+  const devices::IiwaJacobian jacobian = arm_.kinematics().at(arm_.position()).jacobian;
   Eigen::Matrix<double, 6, 6> square = jacobian * jacobian.transpose();
   square.diagonal().array() += 1e-9;  // keeps the matrix invertible in a singular pose
   return square.ldlt().solve(jacobian * torque);
@@ -176,7 +153,7 @@ Wrench FriArm::wrenchOf(const JointVector& torque) const noexcept {
 
 Wrench FriArm::overlayInTool() const noexcept {
   if (options_.command != ClientCommandMode::Torque) return overlay_;
-  return inAxesOf(arm_.tool().rotation, wrenchOf(vectorOf(overlayTorque_)));
+  return rotated(arm_.tool().rotation.transpose(), wrenchOf(asVector(overlayTorque_)));
 }
 
 double FriArm::overlayForce() const noexcept {
@@ -204,12 +181,13 @@ double FriArm::tracking() const noexcept {
 
 wire::fri::MonitorData FriArm::measured() const noexcept {
   wire::fri::MonitorData data;
-  data.measuredPosition = jointsOf(arm_.position());
-  data.measuredTorque = jointsOf(arm_.measuredTorque());
+  data.measuredPosition = asJoints(arm_.position());
+  data.measuredTorque = asJoints(arm_.measuredTorque());
   data.commandedPosition = commandedPosition();
   data.commandedTorque = overlayTorque_;
-  data.externalTorque = jointsOf(arm_.externalTorque());
-  data.externalForce = toWire(inAxesOf(arm_.tool().rotation, wrenchOf(arm_.externalTorque())));
+  data.externalTorque = asJoints(arm_.externalTorque());
+  data.externalForce =
+      toWire(rotated(arm_.tool().rotation.transpose(), wrenchOf(arm_.externalTorque())));
   data.redundancy = {.value = arm_.position()[2]};  // E1 is the angle of A3
   Eigen::Quaterniond turn(arm_.tool().rotation);
   if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();

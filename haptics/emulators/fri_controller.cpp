@@ -1,7 +1,6 @@
 #include "haptics/emulators/fri_controller.h"
 
 #include <sys/prctl.h>
-#include <time.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -15,10 +14,8 @@ namespace {
 using State = FriSession::State;
 using wire::fri::Version;
 
-constexpr std::int64_t kSecond = 1'000'000'000;   // [ns]
-constexpr std::int64_t kMillisecond = 1'000'000;  // [ns]
-constexpr int kLongestPeriod = 100;               // [ms]
-constexpr int kBacklog = 64;  // most datagrams that are read without a step in between
+constexpr int kLongestPeriod = 100;  // [ms]
+constexpr int kBacklog = 64;         // most datagrams that are read without a step in between
 
 bool isTorqueMode(const FriController::Options& options) noexcept {
   return options.arm.command == wire::fri::ClientCommandMode::Torque;
@@ -68,12 +65,6 @@ Version otherFramingThan(Version version) noexcept {
 }
 
 }  // namespace
-
-std::int64_t monotonicTime() noexcept {
-  timespec time{};
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return time.tv_sec * kSecond + time.tv_nsec;
-}
 
 FriController::FriController(const Options& options)
     : options_(validated(options)),
@@ -274,7 +265,7 @@ void FriController::processDatagram(std::span<const std::uint8_t> datagram) noex
   }
   if (!answers_.take(answer_.header, now)) return;
   const double period =
-      static_cast<double>(kMillisecond * options_.sendPeriod * options_.receiveMultiplier);
+      static_cast<double>(timing::kMillisecond * options_.sendPeriod * options_.receiveMultiplier);
   if (!isReceivePeriodAnswered_) {
     connection_.noteAnswered(static_cast<double>(answers_.latency()) / period);
   }
@@ -337,7 +328,7 @@ FriController::Reply FriController::command(std::string_view line) {
 
 void FriController::run(const std::stop_token& stop) noexcept {
   prctl(PR_SET_TIMERSLACK, 1UL);
-  const std::int64_t period = options_.sendPeriod * kMillisecond;
+  const std::int64_t period = options_.sendPeriod * timing::kMillisecond;
   std::int64_t due = options_.clock();
   while (!stop.stop_requested()) {
     step();

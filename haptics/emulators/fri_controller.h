@@ -15,12 +15,10 @@
 #include "haptics/emulators/fri_monitoring.h"
 #include "haptics/emulators/fri_session.h"
 #include "haptics/emulators/impairment.h"
+#include "haptics/timing/monotonic_clock.h"
 #include "haptics/wire/fri_message.h"
 
 namespace haptics::emulators {
-
-/// The time of CLOCK_MONOTONIC [ns].
-std::int64_t monotonicTime() noexcept;
 
 /// Emulates the robot controller's side of KUKA's Fast Robot Interface, with a simulated arm and
 /// surgeon and without KUKA's code. It does not model KUKA's timing, and is not a safety device.
@@ -48,7 +46,7 @@ class FriController {
     FriSession::DwellTimes dwellTimes;
     bool restartsMotion = false;     ///< the robot's program restarts a motion that failed
     Impairment::Options impairment;  ///< random faults of messages
-    std::int64_t (*clock)() noexcept = monotonicTime;  ///< [ns], for latencies and overlayZeroAt
+    std::int64_t (*clock)() noexcept = timing::now;  ///< [ns], for latencies and overlayZeroAt
   };
 
   /// @throws std::invalid_argument  if the options are not valid.

@@ -5,22 +5,12 @@
 #include <system_error>
 #include <vector>
 
+#include "base/text_table.h"
+
 namespace haptics::emulators {
 namespace {
 
 constexpr int kLargestNumber = 1'000'000;
-
-std::vector<std::string_view> wordsOf(std::string_view line) {
-  std::vector<std::string_view> words;
-  while (true) {
-    const auto begin = line.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos) return words;
-    line.remove_prefix(begin);
-    const auto size = std::min(line.find_first_of(" \t\r\n"), line.size());
-    words.push_back(line.substr(0, size));
-    line.remove_prefix(size);
-  }
-}
 
 /// Parses a number from 1 to kLargestNumber.
 std::optional<int> numberFrom(std::string_view text) {
@@ -84,7 +74,7 @@ const FriFaultQueue::Command FriFaultQueue::kCommands[] = {
     {"idle", "", 0, [](auto& o, int, int) { o.raise(Event::Idle); }}};
 
 std::optional<std::string> FriFaultQueue::executeLine(std::string_view line) {
-  const auto words = wordsOf(line);
+  const auto words = base::splitText(line, " \t\r\n");
   if (words.empty()) return "There is no word in this line.";
   for (const Command& command : kCommands) {
     if (command.name == words.front()) return execute(command, line, std::span(words).subspan(1));

@@ -77,14 +77,6 @@ bool setOrZero(Values& target, const Values& value) noexcept {
   return isFinite;
 }
 
-/// Rotates the translational and the rotational half of @p values.
-Vector6 rotated(const Eigen::Matrix3d& rotation, const Vector6& values) noexcept {
-  Vector6 result;
-  result.head<3>() = rotation * values.head<3>();
-  result.tail<3>() = rotation * values.tail<3>();
-  return result;
-}
-
 /// The moment of rotational springs whose stiffness differs from axis to axis: J_r⁻ᵀ pull, with the
 /// right Jacobian J_r of SO(3) at the rotation vector @p turn. Its work is the springs' energy.
 Eigen::Vector3d momentOf(const Eigen::Vector3d& turn, const Eigen::Vector3d& pull) noexcept {
@@ -98,6 +90,13 @@ Eigen::Vector3d momentOf(const Eigen::Vector3d& turn, const Eigen::Vector3d& pul
 }
 
 }  // namespace
+
+Vector6 rotated(const Eigen::Matrix3d& rotation, const Vector6& values) noexcept {
+  Vector6 result;
+  result.head<3>() = rotation * values.head<3>();
+  result.tail<3>() = rotation * values.tail<3>();
+  return result;
+}
 
 IiwaArm::IiwaArm(
     const devices::IiwaKinematics& kinematics,
@@ -141,7 +140,7 @@ void IiwaArm::setControl(const JointImpedance& law) {
 bool IiwaArm::commandPosition(const JointVector& position) noexcept {
   if (!position.allFinite()) return false;
   commanded_ = position;
-  commandedTool_ = kinematics_.tool(position);
+  commandedTool_ = kinematics_.at(position).tool;
   return true;
 }
 

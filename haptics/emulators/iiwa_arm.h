@@ -47,10 +47,11 @@ class SurgeonHand {
   devices::Hand& hand_;
 };
 
-class SurgeonHand;
-
 /// Translational components along x y z of a frame, then rotational ones about x y z.
 using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// Rotates the translational and the rotational half of @p values.
+Vector6 rotated(const Eigen::Matrix3d& rotation, const Vector6& values) noexcept;
 
 /// Inertia and damping of a simulated arm's joints.
 struct IiwaMechanics {

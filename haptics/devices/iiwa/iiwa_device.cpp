@@ -22,16 +22,6 @@ constexpr std::uint64_t kLongestAnswerPeriod = 20;  // longest accepted period o
 // Longest wait for COMMANDING_ACTIVE: as long as robot programs wait for a client.
 constexpr std::int64_t kCommandingTimeout = 10'000 * kMillisecond;
 
-JointVector asVector(const Joints& joints) {
-  return Eigen::Map<const JointVector>(joints.data());
-}
-
-Joints asJoints(const JointVector& vector) {
-  Joints joints{};
-  std::copy_n(vector.data(), joints.size(), joints.begin());
-  return joints;
-}
-
 Capabilities capabilitiesOf(const IiwaSettings& settings) {
   return {
       .kind = &reamerKind(),
@@ -155,7 +145,7 @@ std::int64_t IiwaDevice::longestSilence() const noexcept {
 }
 
 void IiwaDevice::beginForces() noexcept {
-  start_ = settings_.zero ? kinematics_.tool(asVector(*settings_.zero)) : tool_;
+  start_ = settings_.zero ? kinematics_.at(asVector(*settings_.zero)).tool : tool_;
   turn_ = 0.0;
   sequence_ = {};
   lastGoodAt_ = timing::now();

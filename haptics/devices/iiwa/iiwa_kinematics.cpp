@@ -1,5 +1,6 @@
 #include "haptics/devices/iiwa/iiwa_kinematics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -50,6 +51,16 @@ double displacementAlong(const Eigen::Vector3d& axis, const Pose& start, const P
   return axis.dot(now.position - start.position);
 }
 
+JointVector asVector(const std::array<double, 7>& joints) noexcept {
+  return JointVector(joints.data());
+}
+
+std::array<double, 7> asJoints(const JointVector& vector) noexcept {
+  std::array<double, 7> joints{};
+  std::copy_n(vector.data(), joints.size(), joints.begin());
+  return joints;
+}
+
 IiwaKinematics::IiwaKinematics(IiwaModel model, const Pose& tool)
     : model_(model), tool_(tool), lengths_{} {
   if (!tool.position.allFinite() || !isRotation(tool.rotation)) {
@@ -59,14 +70,6 @@ IiwaKinematics::IiwaKinematics(IiwaModel model, const Pose& tool)
   const IiwaProperties& arm = properties();
   lengths_ = {
       arm.baseToShoulder, 0.0, arm.shoulderToElbow, 0.0, arm.elbowToWrist, 0.0, arm.wristToFlange};
-}
-
-Pose IiwaKinematics::flange(const JointVector& q) const noexcept {
-  Pose pose;
-  for (std::size_t i = 0; i < lengths_.size(); ++i) {
-    pose = pose * link(i, q[static_cast<Eigen::Index>(i)], lengths_[i]);
-  }
-  return pose;
 }
 
 IiwaKinematics::State IiwaKinematics::at(const JointVector& q) const noexcept {
@@ -86,14 +89,6 @@ IiwaKinematics::State IiwaKinematics::at(const JointVector& q) const noexcept {
     state.jacobian.col(i).head<3>() = axis.cross(arm);
   }
   return state;
-}
-
-Twist IiwaKinematics::twist(const JointVector& q, const JointVector& velocity) const noexcept {
-  return at(q).jacobian * velocity;
-}
-
-JointVector IiwaKinematics::torque(const JointVector& q, const Wrench& wrench) const noexcept {
-  return at(q).jacobian.transpose() * wrench;
 }
 
 }  // namespace haptics::devices

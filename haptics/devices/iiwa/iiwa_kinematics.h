@@ -82,8 +82,12 @@ Eigen::Vector3d rotationVectorBetween(
 /// Displacement of a tool along @p axis since @p start, s = a·(p − p₀) [m]. @p axis has length 1.
 double displacementAlong(const Eigen::Vector3d& axis, const Pose& start, const Pose& now) noexcept;
 
-/// Kinematics of an LBR iiwa with a tool: forward kinematics, Jacobian, twist, and joint torques of
-/// a wrench.
+/// The values of joints A1 to A7 as a vector, and as an array.
+JointVector asVector(const std::array<double, 7>& joints) noexcept;
+std::array<double, 7> asJoints(const JointVector& vector) noexcept;
+
+/// Kinematics of an LBR iiwa with a tool: its pose and its Jacobian J. The twist of the tool is
+/// J q̇; the joint torques with which it exerts a wrench w on its environment are Jᵀ w.
 ///
 /// The origin of the base frame is on the bottom of the base, z up; with all joints at zero the arm
 /// points straight up, and the flange has the orientation of the base. Links follow Craig's
@@ -99,7 +103,7 @@ double displacementAlong(const Eigen::Vector3d& axis, const Pose& start, const P
 /// of NaN.
 class IiwaKinematics {
  public:
-  /// The tool's pose, and the 6×7 geometric Jacobian J at the tool.
+  /// The tool's pose in the base frame, and the 6×7 geometric Jacobian J at the tool.
   struct State {
     Pose tool;
     IiwaJacobian jacobian = IiwaJacobian::Zero();
@@ -111,23 +115,8 @@ class IiwaKinematics {
   /// 1e-6).
   explicit IiwaKinematics(IiwaModel model, const Pose& tool = {});
 
-  /// Pose of the flange in the base frame at joint angles @p q [rad].
-  Pose flange(const JointVector& q) const noexcept;
-
-  /// Pose of the tool in the base frame at joint angles @p q [rad].
-  Pose tool(const JointVector& q) const noexcept { return flange(q) * tool_; }
-
-  /// Computes pose and Jacobian together, which costs less than two calls. @p q [rad].
+  /// Pose and Jacobian at joint angles @p q [rad].
   State at(const JointVector& q) const noexcept;
-
-  IiwaJacobian jacobian(const JointVector& q) const noexcept { return at(q).jacobian; }
-
-  /// Twist of the tool, J q̇. @p q [rad], @p velocity [rad/s].
-  Twist twist(const JointVector& q, const JointVector& velocity) const noexcept;
-
-  /// The joint torques Jᵀ w [N·m] with which the tool exerts @p wrench on its environment. @p q
-  /// [rad].
-  JointVector torque(const JointVector& q, const Wrench& wrench) const noexcept;
 
   IiwaModel model() const noexcept { return model_; }
   const IiwaProperties& properties() const noexcept { return propertiesOf(model_); }

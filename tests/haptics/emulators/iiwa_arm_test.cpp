@@ -78,7 +78,7 @@ TEST(IiwaArm, AcceleratesAlongTheFreeAxisUntilDampingHoldsTheForce) {
   run(arm, 1.5);
   EXPECT_NEAR(axis.dot(arm.toolTwist().head<3>()), 1.0 / 100.0, 0.5e-4);  // F / b
   const Eigen::Vector3d moved =
-      arm.tool().position - arm.kinematics().tool(overTheTable()).position;
+      arm.tool().position - arm.kinematics().at(overTheTable()).tool.position;
   EXPECT_LT((moved - axis * axis.dot(moved)).norm(), 1e-5);
 }
 
@@ -86,7 +86,8 @@ TEST(IiwaArm, BeginsWithTheInertiaOfItsJoints) {
   IiwaArm arm = anUndampedArm();
   arm.setControl(JointImpedance{.stiffness = JointVector::Zero(), .damping = JointVector::Zero()});
   const Eigen::Vector3d axis = arm.tool().rotation.col(2);
-  const JointVector torque = arm.kinematics().torque(overTheTable(), force(10.0 * axis));
+  const JointVector torque =
+      arm.kinematics().at(overTheTable()).jacobian.transpose() * force(10.0 * axis);
   arm.setExternalWrench(force(10.0 * axis));
   arm.step(0.0001);
   const JointVector expected = 0.0001 * torque.cwiseQuotient(IiwaMechanics().inertia);
@@ -145,7 +146,8 @@ TEST(IiwaArm, PullsDownTheSlopeOfItsEnergy) {
   arm.step(1e-12);
   EXPECT_LT((arm.measuredTorque() + slope / (2.0 * kStep)).norm(), 1e-7);
   EXPECT_GT(
-      devices::rotationVectorBetween(arm.tool().rotation, arm.kinematics().tool(elsewhere).rotation)
+      devices::rotationVectorBetween(
+          arm.tool().rotation, arm.kinematics().at(elsewhere).tool.rotation)
           .norm(),
       1.0);
 }

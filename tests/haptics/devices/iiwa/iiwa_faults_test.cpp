@@ -223,7 +223,7 @@ TEST_F(IiwaFaultsTest, WorksInRealTimeAndLetsGoInTime) {
     auto mine = settings();
     auto options = controllerFor(mine);
     options.sendPeriod = 4;
-    options.clock = emulators::monotonicTime;
+    options.clock = timing::now;
     connect(mine, options);
     const std::jthread running([&](const std::stop_token& stop) { controller_->run(stop); });
     if (!whyNot([&] {

@@ -229,7 +229,7 @@ TEST_F(IiwaMessagesTest, GivesTorquesThatAddUpToTheForceAndTheTorque) {
   Wrench wrench = Wrench::Zero();
   wrench.head<3>() = -10.0 * kDown;
   wrench.tail<3>() = 1.5 * kDown;
-  const JointVector expected = kinematics.torque(JointVector(startOfArm().data()), wrench);
+  const JointVector expected = kinematics.at(asVector(startOfArm())).jacobian.transpose() * wrench;
   for (std::size_t i = 0; i < 7; ++i) {
     EXPECT_NEAR((*all[0].data->jointTorque)[i], expected[static_cast<Eigen::Index>(i)], 1e-9);
   }
@@ -334,10 +334,10 @@ TEST_F(IiwaMessagesTest, ReportsTheVelocityOfItsTool) {
     std::copy_n(joints.data(), 7, message_.monitorData->measuredPosition->begin());
     sample = turn(0.0);
   }
-  const double expected = kDown.dot(kinematics.twist(joints, velocity).head<3>());
+  const double expected = kDown.dot((kinematics.at(joints).jacobian * velocity).head<3>());
   EXPECT_NEAR(sample.velocity, expected, 1e-6);
-  const auto start = kinematics.tool(JointVector(startOfArm().data()));
-  EXPECT_NEAR(sample.travel, displacementAlong(kDown, start, kinematics.tool(joints)), 1e-9);
+  const auto start = kinematics.at(asVector(startOfArm())).tool;
+  EXPECT_NEAR(sample.travel, displacementAlong(kDown, start, kinematics.at(joints).tool), 1e-9);
 }
 
 TEST_F(IiwaMessagesTest, RefusesAPeriodOfAnswersBeyond32Bits) {
