@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/search.h"
 #include "protocols/model/messages.h"
 #include "protocols/model/protocol.h"
 #include "questionnaires/reading/instrument_problems.h"
@@ -26,34 +27,13 @@ std::string describe(const SceneDataSource& source) {
 }
 
 const questionnaires::Instrument* LoadedProtocol::instrument(std::string_view id) const noexcept {
-  const auto found = std::find_if(
-      instruments.begin(), instruments.end(), [&](const auto& i) { return i.id == id; });
-  return found == instruments.end() ? nullptr : &*found;
+  return base::withId(instruments, id);
 }
 
 namespace {
 
-using questionnaires::Instrument;
 using questionnaires::LocalizedText;
-using questionnaires::Scale;
 using Texts = std::vector<const LocalizedText*>;
-
-void addTexts(Texts& texts, const Scale& scale) {
-  texts.push_back(&scale.lowLabel);
-  texts.push_back(&scale.highLabel);
-  for (const auto& label : scale.pointLabels) texts.push_back(&label);
-}
-
-Texts textsOf(const Instrument& instrument) {
-  Texts texts{&instrument.title, &instrument.introduction};
-  if (instrument.scale) addTexts(texts, *instrument.scale);
-  for (const auto& item : instrument.items) {
-    texts.insert(texts.end(), {&item.text, &item.leftText, &item.rightText});
-    addTexts(texts, item.scale);
-    for (const auto& option : item.options) texts.push_back(&option.text);
-  }
-  return texts;
-}
 
 std::string placeholderTexts(const Texts& texts, const std::string& language) {
   std::string words;
@@ -137,8 +117,12 @@ std::vector<Placeholder> unfilledPlaceholdersIn(const LoadedProtocol& loaded) {
   std::set<std::string> seen;
   for (const auto& use : instrumentUses(protocol)) {
     if (!seen.insert(use.instrument).second) continue;
-    const auto& instrument = *loaded.instrument(use.instrument);
-    findPlaceholders(found, use.instrument, textsOf(instrument), protocol.languages);
+    auto instrument = *loaded.instrument(use.instrument);
+    Texts texts;
+    for (const auto& place : questionnaires::textPlacesOf(instrument)) {
+      texts.insert(texts.end(), place.texts.begin(), place.texts.end());
+    }
+    findPlaceholders(found, use.instrument, texts, protocol.languages);
   }
   return found;
 }
@@ -172,7 +156,7 @@ std::vector<Blank> blanksOf(const LoadedProtocol& loaded) {
   };
   const auto known = knownBlanks();
   for (const auto& [key, title] : known) {
-    if (std::ranges::find(loaded.blanks, key) != loaded.blanks.end()) add(std::string(key), title);
+    if (base::contains(loaded.blanks, key)) add(std::string(key), title);
   }
   for (const auto& key : loaded.blanks) {
     const bool isKnown =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/search.h"
 #include "questionnaires/scoring/scoring.h"
 
 namespace protocols {
@@ -12,13 +13,15 @@ std::vector<questionnaires::Item> comparedItems(
   std::vector<questionnaires::Item> compared;
   if (!family.score.empty()) return compared;
   for (const auto& item : items) {
-    const bool isCompared =
-        family.items.empty()
-            ? item.type == questionnaires::ItemType::Likert
-            : std::find(family.items.begin(), family.items.end(), item.id) != family.items.end();
+    const bool isCompared = family.items.empty() ? item.type == questionnaires::ItemType::Likert
+                                                 : base::contains(family.items, item.id);
     if (isCompared) compared.push_back(item);
   }
   return compared;
+}
+
+bool Family::usesBlock(std::string_view block) const {
+  return blocks.empty() || base::contains(blocks, block);
 }
 
 std::optional<ComparedScale> scaleOf(const questionnaires::Item& item) {
@@ -52,16 +55,6 @@ std::optional<ComparedScale> scaleOf(
   return std::nullopt;
 }
 
-namespace {
-
-template <typename T>
-const T* findById(const std::vector<T>& all, std::string_view id) noexcept {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const T& t) { return t.id == id; });
-  return found == all.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
 std::string ConditionQuestionnaire::itemSetFor(std::string_view condition) const {
   for (const auto& [name, set] : setByCondition) {
     if (name == condition) return set;
@@ -77,10 +70,10 @@ double SimulatedAnswerModel::realismOf(std::string_view condition) const {
 }
 
 const Condition* Protocol::condition(std::string_view id) const noexcept {
-  return findById(conditions, id);
+  return base::withId(conditions, id);
 }
 const DeviceRequirement* Protocol::device(std::string_view id) const noexcept {
-  return findById(devices, id);
+  return base::withId(devices, id);
 }
 const haptics::devices::DeviceKind* Protocol::onlyDeviceKind() const noexcept {
   const bool isOne =
@@ -90,10 +83,10 @@ const haptics::devices::DeviceKind* Protocol::onlyDeviceKind() const noexcept {
   return isOne ? devices.front().kind : nullptr;
 }
 const Phase* Protocol::phase(std::string_view id) const noexcept {
-  return findById(phases, id);
+  return base::withId(phases, id);
 }
 const Cohort* Protocol::cohort(std::string_view id) const noexcept {
-  return findById(cohorts, id);
+  return base::withId(cohorts, id);
 }
 
 std::vector<InstrumentUse> instrumentUses(const Protocol& protocol) {

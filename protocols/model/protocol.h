@@ -200,6 +200,9 @@ struct Family {
   /// Equivalence margin: smaller differences of means are considered negligible [points of the
   /// scale].
   std::optional<double> equivalenceBound;
+
+  /// Whether it uses the answers of the block @p id.
+  bool usesBlock(std::string_view block) const;
 };
 
 /// Those of @p items that @p family compares, in the order of @p items; empty if it compares a

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/random.h"
+#include "base/search.h"
 
 namespace protocols {
 namespace {
@@ -94,10 +95,7 @@ namespace {
 std::vector<std::string> inProtocolOrder(const Protocol& protocol, const Block& block) {
   std::vector<std::string> sorted;
   for (const auto& condition : protocol.conditions) {
-    const auto& wanted = block.conditions;
-    if (std::find(wanted.begin(), wanted.end(), condition.id) != wanted.end()) {
-      sorted.push_back(condition.id);
-    }
+    if (base::contains(block.conditions, condition.id)) sorted.push_back(condition.id);
   }
   return sorted;
 }

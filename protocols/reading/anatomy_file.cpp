@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/search.h"
 #include "protocols/model/messages.h"
 #include "questionnaires/json/document.h"
 
@@ -22,11 +23,6 @@ constexpr float kFarthestSurface = 60.0F;  // distance of any surface from the p
 constexpr float kSmallestInMillimetres =
     1.0F;                                // a knee smaller than 1 mm is probably given in metres
 constexpr float kShortestNormal = 0.5F;  // shortest normal that has a direction
-
-template <std::size_t N>
-bool isOneOf(const std::array<std::string_view, N>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 bool isFinite(const NamedSurface::Triple& v) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
@@ -85,9 +81,9 @@ class AnatomyReader {
   explicit AnatomyReader(Problems& problems) : problems_(problems) {}
 
   void addSurface(NamedSurface surface) {
-    if (isOneOf(kFixedSurfaces, surface.name)) return;
+    if (base::contains(kFixedSurfaces, surface.name)) return;
     const std::string place = placeOf(surface.name);
-    if (!isOneOf(kReplaceableSurfaces, surface.name)) return refuseName(surface.name, place);
+    if (!base::contains(kReplaceableSurfaces, surface.name)) return refuseName(surface.name, place);
     if (!isSound(surface, place)) return;
     const auto same =
         std::find_if(anatomy_.surfaces.begin(), anatomy_.surfaces.end(), [&](const auto& other) {

@@ -35,9 +35,9 @@ Order readOrder(const Node& block) {
   Order order{.type = OrderType::Random, .of = {}};
   const auto node = block.requiredObject("order");
   if (!node || !node->isObjectWithOnlyKeys({"type", "of"})) return order;
-  const auto type = readChoice(*node, "type", kOrders);
+  const auto type = node->chosen("type", kOrders);
   if (!type) return order;
-  order.type = *type;
+  order.type = type->value;
   if (order.type == OrderType::Reversed) {
     order.of = node->id("of");
   } else if (node->has("of")) {
@@ -124,10 +124,10 @@ Phase readPhase(const Node& node) {
     return phase;
   }
   const std::string id = node.id("id");
-  const auto type = readChoice(node, "type", kPhaseTypes);
+  const auto type = node.chosen("type", kPhaseTypes);
   if (!type) return phase;
   phase.id = id;
-  phase.type = *type;
+  phase.type = type->value;
   switch (phase.type) {
     case PhaseType::Block:
       readBlock(node, phase);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/search.h"
 #include "haptics/registry/device_kinds.h"
 #include "protocols/reading/protocol_parts.h"
 #include "protocols/reading/referenced_files.h"
@@ -80,22 +81,9 @@ std::vector<std::string> readFileNames(const Node& root) {
 }
 
 std::vector<std::string> readLanguages(const Node& root) {
-  std::vector<std::string> languages;
-  for (const auto& node : root.requiredList("languages")) {
-    const std::string language = node.asText();
-    if (!node.isText()) continue;
-    if (!questionnaires::isLanguageTag(language)) {
-      node.problem(
-          "",
-          "'" + questionnaires::shown(language) + "' is no language tag",
-          "write one such as en, de, nb, de-CH");
-    } else if (std::find(languages.begin(), languages.end(), language) != languages.end()) {
-      node.problem("", "'" + language + "' stands in this list twice", "keep one");
-    }
-    languages.push_back(language);
-  }
-  if (!languages.empty() &&
-      std::find(languages.begin(), languages.end(), "en") == languages.end()) {
+  const auto list = root.requiredList("languages");
+  auto languages = questionnaires::languagesIn(list);
+  if (!list.empty() && !base::contains(languages, "en")) {
     root.problem(
         "languages",
         "'en' is not among the languages",
@@ -175,17 +163,14 @@ DeviceRequirement readDevice(const Node& node) {
 }
 
 Condition readCondition(
-    const Node& node,
-    const Protocol& protocol,
-    ReferencedFiles& files,
-    std::vector<SceneDataSource>& sources) {
+    const Node& node, ReferencedFiles& files, std::vector<SceneDataSource>& sources) {
   Condition condition;
   if (!node.isObjectWithOnlyKeys({"id", "title", "scene"})) return condition;
   condition.id = node.id("id");
   condition.title = node.text("title");
   if (const auto scene = node.requiredObject("scene")) {
     SceneSources own(files, sources, condition.id);
-    readScene(*scene, protocol, own, condition);
+    readScene(*scene, own, condition);
   }
   return condition;
 }
@@ -246,7 +231,7 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<SceneDat
   protocol.instrumentFiles = readFileNames(root);
   if (const auto texts = root.object("texts")) protocol.texts = readBlankTexts(*texts);
   protocol.conditions = readAll<Condition>(root.requiredList("conditions"), [&](const Node& node) {
-    return readCondition(node, protocol, files, sources);
+    return readCondition(node, files, sources);
   });
   for (auto& device : protocol.devices) {
     device.needsTorque = std::any_of(

@@ -18,31 +18,13 @@ class SceneSources;
 /// missing or invalid text is a problem.
 questionnaires::LocalizedText readLocalized(const questionnaires::Node& node, std::string_view key);
 
-/// The enumerator of the word at @p key; std::nullopt, with a problem, if the word is not in
-/// @p choices. For words that determine how the rest is read.
-template <typename Choices>
-auto readChoice(const questionnaires::Node& node, std::string_view key, const Choices& choices) {
-  const auto value = node.choice(key, choices);
-  const auto written = node.member(key);
-  const bool isKnown = written && written->isText() &&
-                       std::any_of(choices.begin(), choices.end(), [&](const auto& choice) {
-                         return choice.name == written->asText();
-                       });
-  return isKnown ? std::optional(value) : std::nullopt;
-}
-
 /// Reads one phase (docs/protocol-format.md, "Phases"). Problems are added to the list of @p node.
 /// A phase of unknown type has no id.
 Phase readPhase(const questionnaires::Node& node);
 
 /// Reads the scene of a condition (docs/protocol-format.md, "Scenes") into @p condition, with the
 /// content of its files from @p sources. Problems are added to the list of @p scene.
-/// @param protocol  its devices must have been read already.
-void readScene(
-    const questionnaires::Node& scene,
-    const Protocol& protocol,
-    SceneSources& sources,
-    Condition& condition);
+void readScene(const questionnaires::Node& scene, SceneSources& sources, Condition& condition);
 
 /// Reads the analysis plan (docs/protocol-format.md, "The analysis plan"). Problems are added to
 /// the list of @p node.

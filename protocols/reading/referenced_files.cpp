@@ -246,24 +246,16 @@ const Cut* SceneSources::cut(const std::string& name, const std::string& path) {
     static const Cut whole = haptics::recordings::parametricCut({.release = kParametricRelease});
     static const Cut ofRelease01 = haptics::recordings::parametricCut();
     const Cut& own = defaults() == Defaults::Release01 ? ofRelease01 : whole;
-    add(
-        {.kind = "cut",
-         .file = {},
-         .title = message("source.parametric_cut"),
-         .origin = {message("source.parametric")},
-         .isSynthetic = own.isSynthetic,
-         .conditions = {}});
+    add("cut",
+        {},
+        message("source.parametric_cut"),
+        {message("source.parametric")},
+        own.isSynthetic);
     return &own;
   }
   const auto* cut = files_.cut(name, path);
   if (cut != nullptr) {
-    add(
-        {.kind = "cut",
-         .file = name,
-         .title = Message::verbatim(cut->title),
-         .origin = originOf(cut->provenance),
-         .isSynthetic = cut->isSynthetic,
-         .conditions = {}});
+    add("cut", name, Message::verbatim(cut->title), originOf(cut->provenance), cut->isSynthetic);
   }
   return cut;
 }
@@ -274,13 +266,11 @@ SceneSources::MaterialChoice SceneSources::material(
   if (material == nullptr) return {};
   const auto* curves = material->find(set);
   if (curves != nullptr) {
-    add(
-        {.kind = "material",
-         .file = name,
-         .title = Message::verbatim(material->title),
-         .origin = {message("source.test_set", nameOf(set))},
-         .isSynthetic = material->isSynthetic,
-         .conditions = {}});
+    add("material",
+        name,
+        Message::verbatim(material->title),
+        {message("source.test_set", nameOf(set))},
+        material->isSynthetic);
   }
   return {material, curves};
 }
@@ -289,59 +279,47 @@ std::shared_ptr<const haptics::reaming::PackedBone> SceneSources::packing(
     const std::string& name, const std::string& path) {
   if (name == kParametricBone) {
     auto own = haptics::engine::parametricBone();
-    add(
-        {.kind = "packing",
-         .file = {},
-         .title = message("source.parametric_bone"),
-         .origin = {},
-         .isSynthetic = own->isSynthetic,
-         .conditions = {}});
+    add("packing", {}, message("source.parametric_bone"), {}, own->isSynthetic);
     return own;
   }
   const auto* packing = files_.packing(name, path);
   if (packing == nullptr) return nullptr;
-  add(
-      {.kind = "packing",
-       .file = name,
-       .title = Message::verbatim(packing->bone->title),
-       .origin = originOf(packing->origin),
-       .isSynthetic = packing->bone->isSynthetic,
-       .conditions = {}});
+  add("packing",
+      name,
+      Message::verbatim(packing->bone->title),
+      originOf(packing->origin),
+      packing->bone->isSynthetic);
   return packing->bone;
 }
 
 void SceneSources::addParametricMaterial() {
-  add(
-      {.kind = "material",
-       .file = {},
-       .title = message("source.parametric_material"),
-       .origin = {},
-       .isSynthetic = true,
-       .conditions = {}});
+  add("material", {}, message("source.parametric_material"), {}, true);
 }
 
 std::shared_ptr<const Anatomy> SceneSources::anatomy(
     const std::string& name, const std::string& path) {
   auto knee = files_.anatomy(name, path);
   if (knee) {
-    add(
-        {.kind = "anatomy",
-         .file = name,
-         .title = message("source.knee"),
-         .origin = surfaceTitlesOf(*knee),
-         .isSynthetic = false,
-         .conditions = {}});
+    add("anatomy", name, message("source.knee"), surfaceTitlesOf(*knee), false);
   }
   return knee;
 }
 
-/// Adds the condition to the conditions of @p source in the list. If the source is not in the list
+/// Adds the condition to the conditions of a source in the list. If the source is not in the list
 /// yet, adds it first.
-void SceneSources::add(SceneDataSource source) {
-  auto known = std::find_if(all_.begin(), all_.end(), [&](const auto& other) {
-    return other.kind == source.kind && other.file == source.file && other.origin == source.origin;
+void SceneSources::add(
+    const char* kind,
+    const std::string& file,
+    Message title,
+    std::vector<Message> origin,
+    bool isSynthetic) {
+  auto known = std::ranges::find_if(all_, [&](const auto& other) {
+    return other.kind == kind && other.file == file && other.origin == origin;
   });
-  if (known == all_.end()) known = all_.insert(all_.end(), std::move(source));
+  if (known == all_.end()) {
+    known = all_.insert(
+        known, {kind, file, std::move(title), std::move(origin), isSynthetic, /*conditions=*/{}});
+  }
   known->conditions.push_back(condition_);
 }
 

@@ -142,7 +142,12 @@ class SceneSources {
   std::shared_ptr<const Anatomy> anatomy(const std::string& name, const std::string& path);
 
  private:
-  void add(SceneDataSource source);
+  void add(
+      const char* kind,
+      const std::string& file,
+      base::Message title,
+      std::vector<base::Message> origin,
+      bool isSynthetic);
 
   ReferencedFiles& files_;
   std::vector<SceneDataSource>& all_;

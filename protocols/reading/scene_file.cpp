@@ -23,19 +23,17 @@ using questionnaires::Node;
 namespace engine = haptics::engine;
 namespace models = haptics::models;
 
-/// The data that are needed to read a model, in addition to its JSON.
-struct SceneContext {
-  SceneSources& sources;
-  /// Kind of the condition's device; nullptr if it could not be read.
-  const haptics::devices::DeviceKind* device;
-};
-
 /// A complete model; std::nullopt if there is a problem.
 template <typename Spec>
 using MaybeSpec = std::optional<Spec>;
 
 constexpr auto kDefaultProcessNoise = models::ProcessNoiseReading::StateOrder;
 using haptics::reaming::TestSet;
+
+/// The function that reads a model; there is one for each model. A registered model without this
+/// function does not compile.
+template <typename Spec>
+MaybeSpec<Spec> readModel(const Node& parameters, SceneSources& sources) = delete;
 
 /// Sets the branches of a cut, with the protocol's slope limit.
 void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec) {
@@ -52,7 +50,7 @@ void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec
 
 /// @param defaultExtrapolation  extrapolation if the file does not set it.
 MaybeSpec<engine::InterpolationSpec> readInterpolation(
-    const Node& node, const SceneContext& context, models::Extrapolation defaultExtrapolation) {
+    const Node& node, SceneSources& sources, models::Extrapolation defaultExtrapolation) {
   engine::InterpolationSpec spec;
   spec.options.extrapolation = defaultExtrapolation;
   if (!node.isObjectWithOnlyKeys(
@@ -66,13 +64,14 @@ MaybeSpec<engine::InterpolationSpec> readInterpolation(
   spec.branches = node.choice("branches", engine::kBranchesNames, spec.branches);
   spec.transitionWidth = node.number("turning_width", 0.001, 100.0, spec.transitionWidth);
   if (node.has("slope_limit")) spec.slopeLimit = node.number("slope_limit", 0.001, 1e6);
-  const auto* cut = context.sources.cut(name, node.pathOf("cut"));
+  const auto* cut = sources.cut(name, node.pathOf("cut"));
   if (cut == nullptr) return std::nullopt;
   useCut(*cut, spec);
   return spec;
 }
 
-MaybeSpec<engine::FiniteElementsSpec> readFiniteElements(const Node& node) {
+template <>
+MaybeSpec<engine::FiniteElementsSpec> readModel(const Node& node, SceneSources& /*sources*/) {
   engine::FiniteElementsSpec spec;
   auto& p = spec.parameters;
   if (!node.isObjectWithOnlyKeys(
@@ -149,7 +148,8 @@ void readNoise(const Node& node, engine::KalmanSpec& spec) {
   spec.noise = noise;
 }
 
-MaybeSpec<engine::KalmanSpec> readKalman(const Node& node, const SceneContext& context) {
+template <>
+MaybeSpec<engine::KalmanSpec> readModel(const Node& node, SceneSources& sources) {
   engine::KalmanSpec spec{
       .noise = models::KalmanNoise<double>::published(kDefaultProcessNoise),
       .scheme = models::KalmanScheme::SpaceDomain};
@@ -159,18 +159,19 @@ MaybeSpec<engine::KalmanSpec> readKalman(const Node& node, const SceneContext& c
   }
   spec.scheme = node.choice("variant", engine::kSchemeNames, spec.scheme);
   spec.smoothing = node.choice("smoothing", engine::kSmoothingNames, spec.smoothing);
-  const auto defaultExtrapolation = context.sources.defaults() == Defaults::Release01
+  const auto defaultExtrapolation = sources.defaults() == Defaults::Release01
                                         ? models::Extrapolation::RampOut
                                         : models::Extrapolation::Absent;
   MaybeSpec<engine::InterpolationSpec> interpolation;
   if (const auto part = node.object("interpolation")) {
-    interpolation = readInterpolation(*part, context, defaultExtrapolation);
+    interpolation = readInterpolation(*part, sources, defaultExtrapolation);
   } else {
     interpolation.emplace().options.extrapolation = defaultExtrapolation;
-    useCut(*context.sources.cut(std::string(kParametricCut), {}), *interpolation);
+    useCut(*sources.cut(std::string(kParametricCut), {}), *interpolation);
   }
   MaybeSpec<engine::FiniteElementsSpec> elements = engine::FiniteElementsSpec{};
-  if (const auto part = node.object("finite_elements")) elements = readFiniteElements(*part);
+  if (const auto part = node.object("finite_elements"))
+    elements = readModel<engine::FiniteElementsSpec>(*part, sources);
   if (const auto part = node.object("noise")) readNoise(*part, spec);
   if (!interpolation || !elements) return std::nullopt;
   spec.interpolation = std::move(*interpolation);
@@ -191,7 +192,7 @@ void refuseWithoutMaterial(const Node& node) {
 
 /// Copies the curves of a fitted material to @p spec; false, with a problem, if the material has
 /// none.
-bool useMaterial(const Node& node, const SceneContext& context, engine::MaterialSpec& spec) {
+bool useMaterial(const Node& node, SceneSources& sources, engine::MaterialSpec& spec) {
   const auto name = node.text("material");
   const auto set = node.choice("test_set", kTestSetChoices, TestSet::Dynamic1);
   // static tests press on bone without removing it
@@ -202,7 +203,7 @@ bool useMaterial(const Node& node, const SceneContext& context, engine::Material
     node.problem(
         "nodes", "the bone has a material and nodes of its own as well", "keep one of the two");
   }
-  const auto [material, curves] = context.sources.material(name, set, node.pathOf("material"));
+  const auto [material, curves] = sources.material(name, set, node.pathOf("material"));
   if (material != nullptr && curves == nullptr) {
     node.problem(
         "material",
@@ -217,7 +218,8 @@ bool useMaterial(const Node& node, const SceneContext& context, engine::Material
   return true;
 }
 
-MaybeSpec<engine::MaterialSpec> readMaterial(const Node& node, const SceneContext& context) {
+template <>
+MaybeSpec<engine::MaterialSpec> readModel(const Node& node, SceneSources& sources) {
   engine::MaterialSpec spec{.nodes = engine::parametricMaterial()};
   if (!node.isObjectWithOnlyKeys(
           {"hardness",
@@ -230,18 +232,18 @@ MaybeSpec<engine::MaterialSpec> readMaterial(const Node& node, const SceneContex
            "jitter_seed"})) {
     return std::nullopt;
   }
-  spec.isRemoved = context.sources.defaults() != Defaults::Release01;
+  spec.isRemoved = sources.defaults() != Defaults::Release01;
   spec.hardness = node.number("hardness", 0.0, 1.0);
   spec.forceScale = node.number("force_scale", 0.001, 1.0, spec.forceScale);
   if (node.has("material")) {
-    const bool hasCurves = useMaterial(node, context, spec);
+    const bool hasCurves = useMaterial(node, sources, spec);
     spec.isRemoved = node.flag("removal", spec.isRemoved);
     return hasCurves ? MaybeSpec<engine::MaterialSpec>(spec) : std::nullopt;
   }
   spec.isRemoved = node.flag("removal", spec.isRemoved);
   refuseWithoutMaterial(node);
   if (!node.has("nodes")) {
-    context.sources.addParametricMaterial();
+    sources.addParametricMaterial();
     return spec;
   }
   spec.nodes.clear();
@@ -258,7 +260,8 @@ MaybeSpec<engine::MaterialSpec> readMaterial(const Node& node, const SceneContex
   return spec;
 }
 
-MaybeSpec<engine::PackingSpec> readPacking(const Node& node, const SceneContext& context) {
+template <>
+MaybeSpec<engine::PackingSpec> readModel(const Node& node, SceneSources& sources) {
   engine::PackingSpec spec;
   if (!node.isObjectWithOnlyKeys(
           {"hardness",
@@ -281,20 +284,16 @@ MaybeSpec<engine::PackingSpec> readPacking(const Node& node, const SceneContext&
   }
   options.coupling = node.number("coupling_n_per_m", 100.0, 1e6, options.coupling);
   options.cuttingDamping = node.number("cutting_damping", 0.0, 1e6, options.cuttingDamping);
-  spec.bone = context.sources.packing(name, node.pathOf("packing"));
+  spec.bone = sources.packing(name, node.pathOf("packing"));
   if (spec.bone == nullptr) return std::nullopt;
   options.friction = spec.bone->friction.value_or(options.friction);
   options.friction = node.number("friction", 0.0, 2.0, options.friction);
   return spec;
 }
 
-/// The function that reads a model; there is one for each model. A registered model without this
-/// function does not compile.
-template <typename Spec>
-MaybeSpec<Spec> readModel(const Node& parameters, const SceneContext& context) = delete;
 template <>
-MaybeSpec<engine::InterpolationSpec> readModel(const Node& node, const SceneContext& context) {
-  auto spec = readInterpolation(node, context, models::Extrapolation::RampOut);
+MaybeSpec<engine::InterpolationSpec> readModel(const Node& node, SceneSources& sources) {
+  auto spec = readInterpolation(node, sources, models::Extrapolation::RampOut);
   if (spec && spec->options.extrapolation == models::Extrapolation::Absent) {
     node.problem(
         "beyond",
@@ -302,22 +301,6 @@ MaybeSpec<engine::InterpolationSpec> readModel(const Node& node, const SceneCont
         "take \"ramp-out\", or the model \"kalman\"");
   }
   return spec;
-}
-template <>
-MaybeSpec<engine::FiniteElementsSpec> readModel(const Node& node, const SceneContext&) {
-  return readFiniteElements(node);
-}
-template <>
-MaybeSpec<engine::KalmanSpec> readModel(const Node& node, const SceneContext& context) {
-  return readKalman(node, context);
-}
-template <>
-MaybeSpec<engine::MaterialSpec> readModel(const Node& node, const SceneContext& context) {
-  return readMaterial(node, context);
-}
-template <>
-MaybeSpec<engine::PackingSpec> readModel(const Node& node, const SceneContext& context) {
-  return readPacking(node, context);
 }
 
 /// @param defaults  for a scene without "reamer".
@@ -335,14 +318,14 @@ engine::Reamer readReamer(const Node& scene, Defaults defaults) {
   return reamer;
 }
 
-using ReadModel = MaybeSpec<engine::ModelSpec> (*)(const Node&, const SceneContext&);
+using ReadModel = MaybeSpec<engine::ModelSpec> (*)(const Node&, SceneSources&);
 
 template <typename... Spec>
 constexpr auto readersOf(std::type_identity<std::variant<Spec...>>) {
   return std::array{Choice<ReadModel>{
       Spec::kInfo.name,
-      [](const Node& node, const SceneContext& context) -> MaybeSpec<engine::ModelSpec> {
-        return readModel<Spec>(node, context);
+      [](const Node& node, SceneSources& sources) -> MaybeSpec<engine::ModelSpec> {
+        return readModel<Spec>(node, sources);
       }}...};
 }
 constexpr auto kModelReaders = readersOf(std::type_identity<engine::ModelSpec>{});
@@ -369,7 +352,7 @@ std::optional<ReadModel> chooseModelReader(const Node& scene) {
         "did you mean '" + std::string(other->second) + "'?");
     return readerOf(other->second);
   }
-  if (const auto known = readChoice(scene, "model", kModelReaders)) return known;
+  if (const auto known = scene.chosen("model", kModelReaders)) return known->value;
   std::vector<std::string_view> names;
   for (const auto& model : kModelReaders) names.push_back(model.name);
   const auto meant = questionnaires::nearest(written, names);
@@ -378,8 +361,7 @@ std::optional<ReadModel> chooseModelReader(const Node& scene) {
 
 }  // namespace
 
-void readScene(
-    const Node& scene, const Protocol& protocol, SceneSources& sources, Condition& condition) {
+void readScene(const Node& scene, SceneSources& sources, Condition& condition) {
   if (!scene.isObjectWithOnlyKeys(
           {"device",
            "model",
@@ -399,12 +381,10 @@ void readScene(
                                                 : engine::TissueDrawing::Penetration);
   if (scene.has("anatomy")) condition.anatomy = scene.text("anatomy");
   condition.reamer = readReamer(scene, sources.defaults());
-  const auto* device = protocol.device(condition.device);
-  const SceneContext context{sources, device == nullptr ? nullptr : device->kind};
   const auto read = chooseModelReader(scene);
   const auto parameters = scene.requiredObject("parameters");
   if (read && parameters) {
-    auto model = (*read)(*parameters, context);
+    auto model = (*read)(*parameters, sources);
     if (parameters->isSound()) condition.model = std::move(model);
   }
   const bool isBone =

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/search.h"
 #include "protocols/validation/validation.h"
 #include "questionnaires/json/document.h"
 
@@ -99,7 +100,7 @@ class FamilyCheck {
       return;
     }
     for (const auto& phase : protocol_.phases) {
-      if (phase.type != PhaseType::Block || !isCounted(phase)) continue;
+      if (phase.type != PhaseType::Block || !family_.usesBlock(phase.id)) continue;
       for (const auto& questionnaire : phase.trials.questionnaires) {
         if (questionnaire.instrument == asked.id)
           checkAllItemsAsked(asked, *score, phase, questionnaire);
@@ -186,7 +187,8 @@ class FamilyCheck {
   bool isAskedAbout(const std::string& condition) const {
     bool isAskedAtAll = false;
     for (const auto& phase : protocol_.phases) {
-      if (phase.type != PhaseType::Block || !isCounted(phase) || !mayAsk(phase)) continue;
+      if (phase.type != PhaseType::Block || !family_.usesBlock(phase.id) || !mayAsk(phase))
+        continue;
       if (mayContainCondition(phase.trials, condition)) return true;
       isAskedAtAll = true;
     }
@@ -194,17 +196,10 @@ class FamilyCheck {
     return !isAskedAtAll || !draft_.hasAllPhases();
   }
 
-  bool isCounted(const Phase& phase) const {
-    const auto& only = family_.blocks;
-    return only.empty() || std::find(only.begin(), only.end(), phase.id) != only.end();
-  }
-
   static bool mayContainCondition(const Block& block, const std::string& condition) {
-    const auto& blockConditions = block.conditions;
-    return blockConditions.empty() ||
-           !std::all_of(blockConditions.begin(), blockConditions.end(), isValidId) ||
-           std::find(blockConditions.begin(), blockConditions.end(), condition) !=
-               blockConditions.end();
+    const auto& conditions = block.conditions;
+    return conditions.empty() || !std::ranges::all_of(conditions, isValidId) ||
+           base::contains(conditions, condition);
   }
 
   const UnvalidatedProtocol& draft_;

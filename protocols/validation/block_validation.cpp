@@ -2,6 +2,7 @@
 #include <set>
 #include <string>
 
+#include "base/search.h"
 #include "protocols/orders/schedule.h"
 #include "protocols/validation/validation.h"
 #include "questionnaires/json/document.h"
@@ -120,9 +121,7 @@ class BlockCheck {
       const std::string& condition,
       const std::string& set,
       const std::string& path) {
-    const auto& ownConditions = block_.conditions;
-    if (!ownConditions.empty() &&
-        std::find(ownConditions.begin(), ownConditions.end(), condition) == ownConditions.end()) {
+    if (!block_.conditions.empty() && !base::contains(block_.conditions, condition)) {
       problems_.add(
           path, "this block has no condition '" + shown(condition) + "'", "correct the name");
     }

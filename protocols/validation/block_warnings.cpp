@@ -2,6 +2,7 @@
 #include <set>
 #include <string>
 
+#include "base/search.h"
 #include "protocols/model/messages.h"
 #include "protocols/orders/schedule.h"
 #include "protocols/validation/validation.h"
@@ -84,11 +85,6 @@ class BlockWarningCheck {
   Problems& problems_;
 };
 
-bool usesPhase(const Family& family, const Phase& phase) {
-  const auto& only = family.blocks;
-  return only.empty() || std::find(only.begin(), only.end(), phase.id) != only.end();
-}
-
 /// Whether @p phase asks different statements of the family's instrument about its conditions.
 bool hasUnlikeStatements(const Family& family, const Phase& phase) {
   std::set<std::string> sets;
@@ -116,7 +112,7 @@ void addAnalysisWarnings(const Protocol& protocol, Problems& problems) {
   for (std::size_t i = 0; i < families.size(); ++i) {
     const auto unlike =
         std::find_if(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
-          return usesPhase(families[i], phase) && hasUnlikeStatements(families[i], phase);
+          return families[i].usesBlock(phase.id) && hasUnlikeStatements(families[i], phase);
         });
     if (unlike == protocol.phases.end()) continue;
     problems.warn(
@@ -151,8 +147,7 @@ bool isCompared(const Protocol& protocol, const Instrument& instrument, const It
 
 bool isScored(const Instrument& instrument, const std::string& item) {
   return std::ranges::any_of(instrument.scores, [&](const auto& score) {
-    return std::ranges::count(score.items, item) > 0 ||
-           std::ranges::count(score.weightsFrom, item) > 0;
+    return base::contains(score.items, item) || base::contains(score.weightsFrom, item);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/search.h"
 #include "haptics/engine/punch_models.h"
 #include "protocols/model/messages.h"
 #include "protocols/validation/validation.h"
@@ -79,10 +80,8 @@ void adviseOnLimit(
 /// Whether a block shows the tissue of @p condition.
 bool isVisualised(const Protocol& protocol, const Condition& condition) {
   return std::any_of(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
-    const auto& blockConditions = phase.trials.conditions;
-    const bool isFelt = std::find(blockConditions.begin(), blockConditions.end(), condition.id) !=
-                        blockConditions.end();
-    return isFelt && phase.trials.isVisualised.value_or(condition.isVisualised);
+    return base::contains(phase.trials.conditions, condition.id) &&
+           phase.trials.isVisualised.value_or(condition.isVisualised);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "base/search.h"
 #include "protocols/model/protocol.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/reading/instrument_file.h"
@@ -67,12 +68,9 @@ void checkScene(
 /// Whether the tissue of @p condition is shown, because of its scene or of a block.
 bool isVisualised(const UnvalidatedProtocol& draft, const Condition& condition) {
   const auto& phases = draft.loaded.protocol.phases;
-  return condition.isVisualised ||
-         std::any_of(phases.begin(), phases.end(), [&](const auto& phase) {
-           const auto& blockConditions = phase.trials.conditions;
+  return condition.isVisualised || std::ranges::any_of(phases, [&](const auto& phase) {
            return phase.trials.isVisualised.value_or(false) &&
-                  std::find(blockConditions.begin(), blockConditions.end(), condition.id) !=
-                      blockConditions.end();
+                  base::contains(phase.trials.conditions, condition.id);
          });
 }
 

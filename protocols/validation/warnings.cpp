@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/search.h"
 #include "protocols/model/messages.h"
 #include "protocols/model/protocol.h"
 #include "protocols/validation/validation.h"
@@ -17,10 +18,6 @@ using questionnaires::Problems;
 
 std::string at(const char* list, std::size_t index) {
   return "$." + std::string(list) + "[" + std::to_string(index) + "]";
-}
-
-bool isAmong(const std::vector<std::string>& all, const std::string& one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
 }
 
 bool isInLibrary(const std::string& instrument) {
@@ -60,7 +57,7 @@ class ProtocolWarningCheck {
 
   void addUnusedTextWarnings() {
     for (const auto& [key, text] : protocol_.texts) {
-      if (isAmong(loaded_.blanks, key)) continue;
+      if (base::contains(loaded_.blanks, key)) continue;
       problems_.warn(
           "$.texts." + questionnaires::shown(key),
           message("text_not_used", key),
@@ -107,7 +104,7 @@ class ProtocolWarningCheck {
 
   void warnOfLanguages(const Instrument& instrument, const std::string& path) {
     for (const auto& language : protocol_.languages) {
-      if (isAmong(instrument.languages, language)) continue;
+      if (base::contains(instrument.languages, language)) continue;
       problems_.warn(
           path,
           message("no_texts_in", instrument.id, language),

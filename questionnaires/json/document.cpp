@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/search.h"
+
 namespace questionnaires {
 namespace {
 
@@ -35,7 +37,7 @@ bool Node::isObjectWithOnlyKeys(std::span<const std::string_view> names) const {
     return false;
   }
   for (const auto& member : *object) {
-    if (std::find(names.begin(), names.end(), member.key) != names.end()) continue;
+    if (base::contains(names, member.key)) continue;
     const auto meant = nearest(member.key, names);
     problem(
         member.key,
@@ -178,12 +180,6 @@ bool Node::flag(std::string_view key, bool fallback) const {
   if (const auto* flag = std::get_if<bool>(&value->data)) return *flag;
   problem(key, "true or false is expected here, not " + typeName(*value));
   return fallback;
-}
-
-std::size_t Node::choiceIndexAt(
-    std::string_view key, const std::vector<std::string_view>& names) const {
-  const Value* value = required(key);
-  return value == nullptr ? 0 : at(key, *value).indexIn(names).value_or(0);
 }
 
 std::optional<std::size_t> Node::indexIn(const std::vector<std::string_view>& names) const {

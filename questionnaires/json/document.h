@@ -94,6 +94,8 @@ class Node {
   bool isObjectWithOnlyKeys(std::span<const std::string_view> known) const;
 
   bool has(std::string_view key) const noexcept { return find(key) != nullptr; }
+  /// As has(), but a missing key is a problem.
+  bool require(std::string_view key) const { return required(key) != nullptr; }
   const Value& value() const noexcept { return *value_; }
   bool isText() const noexcept { return std::holds_alternative<std::string>(value_->data); }
   bool isObject() const noexcept { return std::holds_alternative<Value::Object>(value_->data); }
@@ -146,24 +148,30 @@ class Node {
   /// A list of ids; a duplicate is a problem.
   std::vector<std::string> ids(std::string_view key) const;
 
-  /// The enumerator of a required word, which must be one of @p choices.
+  /// The enumerator of a required word, which must be one of @p choices; the first one, with a
+  /// problem, if it is none of them.
   template <typename Choices>
   auto choice(std::string_view key, const Choices& choices) const {
-    std::vector<std::string_view> names;
-    names.reserve(choices.size());
-    for (const auto& choice : choices) names.push_back(choice.name);
-    return choices[choiceIndexAt(key, names)].value;
+    return chosen(key, choices).value_or(choices[0]).value;
   }
 
-  /// Like choice(), for this value itself; std::nullopt, with a problem, if it is not in
-  /// @p choices.
-  template <typename Enum, std::size_t kCount>
-  std::optional<Enum> chosen(const std::array<Choice<Enum>, kCount>& choices) const {
+  /// The one of @p choices that a required word names; std::nullopt, with a problem, if it names
+  /// none.
+  template <typename Choices>
+  std::optional<typename Choices::value_type> chosen(
+      std::string_view key, const Choices& choices) const {
+    const Value* value = required(key);
+    return value == nullptr ? std::nullopt : at(key, *value).chosen(choices);
+  }
+
+  /// Like chosen(), for this value itself.
+  template <typename Choices>
+  std::optional<typename Choices::value_type> chosen(const Choices& choices) const {
     std::vector<std::string_view> names;
     names.reserve(choices.size());
     for (const auto& choice : choices) names.push_back(choice.name);
     const auto index = indexIn(names);
-    return index ? std::optional(choices[*index].value) : std::nullopt;
+    return index ? std::optional(choices[*index]) : std::nullopt;
   }
 
   /// Like choice(), or @p fallback if the key is missing.
@@ -184,8 +192,6 @@ class Node {
       std::string_view key, const Value& value, double least, double most) const;
   std::optional<std::int64_t> wholeNumberIn(
       std::string_view key, const Value& value, std::int64_t least, std::int64_t most) const;
-  /// The index of the word at @p key in @p names; 0, with a problem, if it is not in @p names.
-  std::size_t choiceIndexAt(std::string_view key, const std::vector<std::string_view>& names) const;
   /// The index of this value in @p names; std::nullopt, with a problem, if it is not in @p names.
   std::optional<std::size_t> indexIn(const std::vector<std::string_view>& names) const;
 

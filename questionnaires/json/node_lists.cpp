@@ -16,7 +16,7 @@ std::optional<Node> Node::object(std::string_view key) const {
 }
 
 std::optional<Node> Node::requiredObject(std::string_view key) const {
-  return required(key) == nullptr ? std::nullopt : object(key);
+  return require(key) ? object(key) : std::nullopt;
 }
 
 std::vector<Node> Node::list(std::string_view key, std::size_t most) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/search.h"
 #include "questionnaires/model/instrument.h"
 
 namespace questionnaires {
@@ -95,9 +96,7 @@ bool isAsked(const Item& item, const std::vector<Item>& items, const std::vector
   });
   if (last == answers.rend() || !last->response) return false;
   const auto& wanted = item.showIf.wantedOptions;
-  const auto isWantedOption = [&](const std::string& id) {
-    return std::find(wanted.begin(), wanted.end(), id) != wanted.end();
-  };
+  const auto isWantedOption = [&](const std::string& id) { return base::contains(wanted, id); };
   if (const auto* chosen = std::get_if<std::string>(&*last->response))
     return isWantedOption(*chosen);
   const auto* several = std::get_if<std::vector<std::string>>(&*last->response);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/search.h"
 #include "questionnaires/json/document.h"
 
 namespace questionnaires {
@@ -37,20 +38,15 @@ AnswerKind answerKindOf(ItemType type) noexcept {
 }
 
 bool Item::withholds(WordingField field) const noexcept {
-  return std::find(withheld.begin(), withheld.end(), field) != withheld.end();
+  return base::contains(withheld, field);
 }
 
 const Item* Instrument::item(std::string_view itemId) const noexcept {
-  const auto found = std::find_if(
-      items.begin(), items.end(), [&](const Item& candidate) { return candidate.id == itemId; });
-  return found == items.end() ? nullptr : &*found;
+  return base::withId(items, itemId);
 }
 
 const Score* Instrument::score(std::string_view scoreId) const noexcept {
-  const auto found = std::find_if(scores.begin(), scores.end(), [&](const Score& candidate) {
-    return candidate.id == scoreId;
-  });
-  return found == scores.end() ? nullptr : &*found;
+  return base::withId(scores, scoreId);
 }
 
 bool Instrument::hasWithheldTexts() const noexcept {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/search.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/answer.h"
 
@@ -43,12 +44,10 @@ MaybeError validateNumber(const Item& item, const Response& response) {
 MaybeError validateOption(
     const Item& item, const std::string& chosen, const std::vector<std::string>& alternatives) {
   if (item.optionSource == OptionSource::Alternatives) {
-    const bool isThere =
-        std::find(alternatives.begin(), alternatives.end(), chosen) != alternatives.end();
+    const bool isThere = base::contains(alternatives, chosen);
     return isThere ? MaybeError{} : "there is no alternative '" + shown(chosen) + "' to choose";
   }
-  const bool isThere = std::any_of(
-      item.options.begin(), item.options.end(), [&](const auto& o) { return o.id == chosen; });
+  const bool isThere = base::withId(item.options, chosen) != nullptr;
   return isThere ? MaybeError{} : "there is no option '" + shown(chosen) + "' to choose";
 }
 

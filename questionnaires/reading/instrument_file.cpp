@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/search.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/reading/instrument_problems.h"
 #include "questionnaires/reading/instrument_reader.h"
@@ -14,7 +15,7 @@
 namespace questionnaires {
 
 void BlankFiller::note(const std::string& key) {
-  if (std::find(keys_.begin(), keys_.end(), key) == keys_.end()) keys_.push_back(key);
+  if (!base::contains(keys_, key)) keys_.push_back(key);
 }
 
 std::string BlankFiller::filled(const std::string& text, const std::string& language) {
@@ -54,25 +55,6 @@ constexpr std::array kOccasions{
     Choice<Occasions>{"once", Occasions::Once},
     Choice<Occasions>{"before_and_after", Occasions::BeforeAndAfter},
 };
-
-std::vector<std::string> readLanguages(const Node& root) {
-  std::vector<std::string> languages;
-  for (const auto& node : root.requiredList("languages")) {
-    const std::string language = node.asText();
-    if (!node.isText()) continue;
-    if (!isLanguageTag(language)) {
-      node.problem(
-          "",
-          "'" + shown(language) + "' is no language tag",
-          "write one such as en, de, nb, de-CH");
-    } else if (std::find(languages.begin(), languages.end(), language) != languages.end()) {
-      node.problem("", "'" + shown(language) + "' stands in this list twice", "keep one");
-    } else {
-      languages.push_back(language);
-    }
-  }
-  return root.has("languages") ? languages : std::vector<std::string>{"en"};
-}
 
 bool isDoi(std::string_view doi) {
   constexpr std::size_t kLongest = 200;
@@ -130,7 +112,8 @@ Instrument readRoot(const Node& root) {
   root.requireFormat("$schema", kSchema);
   instrument.id = idOrGenerated(root, "id", 0);
   instrument.version = root.id("version");
-  instrument.languages = readLanguages(root);
+  instrument.languages = languagesIn(root.requiredList("languages"));
+  if (!root.has("languages")) instrument.languages = {"en"};
   const TextReader texts(instrument.languages);
   instrument.title = texts.required(root, "title");
   instrument.introduction = texts.optional(root, "introduction");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/search.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/instrument.h"
 
@@ -13,8 +14,7 @@ void inspectHead(const Instrument& instrument, const TextCheck& texts, Problems&
   if (!isValidId(instrument.id)) {
     problems.add("$.id", "'" + shown(instrument.id) + "' cannot be an id", "give it a name");
   }
-  const auto& languages = instrument.languages;
-  if (std::find(languages.begin(), languages.end(), "en") == languages.end()) {
+  if (!base::contains(instrument.languages, "en")) {
     problems.add(
         "$.languages",
         "'en' is not among the languages",
@@ -56,11 +56,7 @@ void inspectCondition(
     problems.add(place, "consent and names are always asked for", "remove 'show_if'");
   }
   for (std::size_t i = 0; i < item.showIf.wantedOptions.size(); ++i) {
-    const auto& options = other->options;
-    const bool isThere = std::any_of(options.begin(), options.end(), [&](const Option& option) {
-      return option.id == item.showIf.wantedOptions[i];
-    });
-    if (isThere) continue;
+    if (base::withId(other->options, item.showIf.wantedOptions[i]) != nullptr) continue;
     problems.add(
         place + ".is[" + std::to_string(i) + "]",
         "'" + shown(item.showIf.wantedOptions[i]) + "' is no option of '" + other->id + "'",

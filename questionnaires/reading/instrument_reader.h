@@ -37,6 +37,13 @@ class TextReader {
 /// Whether @p tag is a language tag of the form "en", "nb" or "de-CH".
 bool isLanguageTag(std::string_view tag) noexcept;
 
+/// Adds a problem if @p language, which stands at @p node, is no language tag; returns whether it
+/// is one.
+bool requireLanguageTag(const Node& node, std::string_view key, std::string_view language);
+
+/// The language tags in a list. Other entries and repeated ones are problems, and left out.
+std::vector<std::string> languagesIn(const std::vector<Node>& list);
+
 /// Reads a scale. If only points have labels, the first and the last of these are the labels of the
 /// ends.
 Scale readScale(const Node& node, const TextReader& texts);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/search.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/instrument.h"
 #include "questionnaires/reading/instrument_problems.h"
@@ -190,11 +191,7 @@ void ItemInspection::inspectOptionNames() const {
 
 void ItemInspection::inspectConsent() const {
   if (item_.consentOption.empty()) return;
-  const bool isThere =
-      std::any_of(item_.options.begin(), item_.options.end(), [&](const Option& option) {
-        return option.id == item_.consentOption;
-      });
-  if (!isThere) {
+  if (base::withId(item_.options, item_.consentOption) == nullptr) {
     add("consent_option",
         "'" + shown(item_.consentOption) + "' is not among the options",
         "name the id of the option that gives consent");

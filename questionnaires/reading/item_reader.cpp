@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/search.h"
 #include "questionnaires/model/instrument.h"
 #include "questionnaires/reading/instrument_reader.h"
 
@@ -11,15 +12,6 @@ namespace questionnaires {
 namespace {
 
 constexpr int kFarthestPoint = 1000;  // largest magnitude of a point
-
-/// Reads the number of points of a scale; 0, with a problem, if it is missing or invalid.
-int readPoints(const Node& node) {
-  if (node.has("points")) {
-    return static_cast<int>(node.wholeNumber("points", kFewestPoints, kMostPoints, 0));
-  }
-  node.problem("", "'points' is missing", "add it");
-  return 0;
-}
 
 void readLabels(const Node& node, const TextReader& texts, Scale& scale) {
   scale.lowLabel = texts.optional(node, "low_label");
@@ -46,9 +38,10 @@ Scale readScale(const Node& node, const TextReader& texts) {
   }
   scale.lowest = static_cast<int>(node.wholeNumber("lowest", -kFarthestPoint, kFarthestPoint, 1));
   readLabels(node, texts, scale);
-  const int points = readPoints(node);
+  const bool hasPoints = node.require("points");
+  const auto points = hasPoints ? node.wholeNumber("points", kFewestPoints, kMostPoints, 0) : 0;
   if (points > 0) {
-    scale.points = points;
+    scale.points = static_cast<int>(points);
   } else if (scale.pointLabels.size() >= static_cast<std::size_t>(kFewestPoints)) {
     scale.points = static_cast<int>(scale.pointLabels.size());
   }
@@ -111,36 +104,19 @@ std::vector<std::string_view> keysOf(ItemType type) {
   return {};
 }
 
-bool has(const std::vector<std::string_view>& keys, std::string_view key) {
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
-
 void refuseKeysOfOtherTypes(const Node& node, const ItemTypeFacts& type) {
   const auto own = keysOf(type.value);
   for (const auto& member : node.members()) {
     const std::string& key = member.first;
     const bool isOfAType = std::any_of(kItemTypes.begin(), kItemTypes.end(), [&](const auto& t) {
-      return has(keysOf(t.value), key);
+      return base::contains(keysOf(t.value), key);
     });
-    if (!isOfAType || has(own, key)) continue;
+    if (!isOfAType || base::contains(own, key)) continue;
     node.problem(
         key,
         "'" + key + "' means nothing to an item of type '" + std::string(type.name) + "'",
         "remove it, or choose another type");
   }
-}
-
-/// Reads the type of an item; std::nullopt, with a problem, if it is unknown or missing.
-std::optional<ItemTypeFacts> typeOf(const Node& node) {
-  const auto name = node.member("type");
-  if (name && name->isText()) {
-    const std::string word = name->asText();
-    const auto type = std::find_if(
-        kItemTypes.begin(), kItemTypes.end(), [&](const auto& t) { return t.name == word; });
-    if (type != kItemTypes.end()) return *type;
-  }
-  node.choice("type", kItemTypes);
-  return std::nullopt;
 }
 
 bool hasOnlyKnownKeys(const Node& node) {
@@ -175,7 +151,7 @@ constexpr double kLargestBound = 1e9;
 
 double readBound(const Node& node, std::string_view key, std::optional<double> fallback) {
   if (node.has(key)) return node.number(key, -kLargestBound, kLargestBound, kUnreadNumber);
-  if (!fallback) node.problem("", "'" + std::string(key) + "' is missing", "add it");
+  if (!fallback) node.require(key);
   return fallback.value_or(kUnreadNumber);
 }
 
@@ -207,8 +183,8 @@ void readWithheld(const Node& node, Item& item) {
   for (const auto& name : node.requiredList("wording")) {
     const auto field = isLikert ? name.chosen(kPointWords) : name.chosen(kEndWords);
     if (!field) continue;
-    if (item.withholds(*field)) name.problem("", "this text stands here twice", "keep one");
-    item.withheld.push_back(*field);
+    if (item.withholds(field->value)) name.problem("", "this text stands here twice", "keep one");
+    item.withheld.push_back(field->value);
   }
 }
 
@@ -227,11 +203,12 @@ Item ItemReader::read(const Node& node, std::size_t index) const {
   if (!hasOnlyKnownKeys(node)) return item;
 
   item.id = idOrGenerated(node, "id", index);
-  const auto type = typeOf(node);
+  const auto type = node.chosen("type", kItemTypes);
   if (type) {
     item.type = type->value;
     refuseKeysOfOtherTypes(node, *type);
-    if (node.has("wording") && has(keysOf(item.type), "wording")) readWithheld(node, item);
+    if (node.has("wording") && base::contains(keysOf(item.type), "wording"))
+      readWithheld(node, item);
   }
   readCommonKeys(node, item);
   if (type) readKeysOfType(node, item);

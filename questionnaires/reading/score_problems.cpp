@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 
+#include "base/search.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/instrument.h"
 #include "questionnaires/reading/instrument_problems.h"
@@ -121,7 +122,7 @@ std::optional<std::set<std::string>> pairOf(
   }
   std::set<std::string> pair;
   for (const auto& option : item->options) {
-    if (std::find(score.items.begin(), score.items.end(), option.id) == score.items.end()) {
+    if (!base::contains(score.items, option.id)) {
       problems.add(
           place,
           named + " offers '" + shown(option.id) + "', which this score does not count",

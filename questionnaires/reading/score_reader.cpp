@@ -84,9 +84,6 @@ Score readScore(const Node& node, const TextReader& texts, std::size_t index) {
   }
   score.id = idOrGenerated(node, "id", index);
   score.title = texts.required(node, "title");
-  if (!node.has("items")) {
-    node.problem("items", "this score counts no items", "name at least one");
-  }
   score.items = node.ids("items");
   score.aggregate = node.choice("aggregate", kAggregates, score.aggregate);
   score.reverseByKey = node.flag("reverse_by_key", true);
@@ -101,7 +98,7 @@ Score readScore(const Node& node, const TextReader& texts, std::size_t index) {
 ConsistencyRule readConsistencyRule(const Node& node) {
   ConsistencyRule rule;
   if (!node.isObjectWithOnlyKeys({"scores", "widest_range", "suspicious_from"})) return rule;
-  if (!node.has("scores")) node.problem("", "'scores' is missing", "add it");
+  node.require("scores");
   rule.scores = node.ids("scores");
   rule.widestRange = node.number("widest_range", 0.0, kLargestFactor);
   rule.suspiciousFrom =

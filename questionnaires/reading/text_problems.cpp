@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/search.h"
 #include "questionnaires/reading/instrument_problems.h"
 
 namespace questionnaires {
@@ -141,7 +142,7 @@ void TextCheck::inspectLanguages(const std::string& path, const LocalizedText& t
     std::string place = path;
     place.append(".").append(language);
     if (isBlank(words)) problems_.add(place, "this text is blank", "write something");
-    if (std::find(languages_.begin(), languages_.end(), language) == languages_.end()) {
+    if (!base::contains(languages_, language)) {
       problems_.warn(
           place,
           warning("language_not_listed", language),

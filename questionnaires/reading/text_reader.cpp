@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/search.h"
 #include "questionnaires/reading/instrument_reader.h"
 
 namespace questionnaires {
@@ -25,12 +26,7 @@ std::string textOf(const Node& node) {
 LocalizedText textsByLanguage(const Node& node) {
   std::map<std::string, std::string> byLanguage;
   for (const auto& [language, text] : node.members()) {
-    if (!isLanguageTag(language)) {
-      text.problem(
-          "",
-          "'" + shown(language) + "' is no language tag",
-          "write one such as en, de, nb, de-CH");
-    }
+    requireLanguageTag(text, "", language);
     byLanguage[language] = textOf(text);
   }
   return LocalizedText(std::move(byLanguage));
@@ -39,9 +35,7 @@ LocalizedText textsByLanguage(const Node& node) {
 }  // namespace
 
 LocalizedText TextReader::required(const Node& node, std::string_view key) const {
-  if (node.has(key)) return optional(node, key);
-  node.problem("", "'" + std::string(key) + "' is missing", "add it");
-  return fallbackText();
+  return node.require(key) ? optional(node, key) : fallbackText();
 }
 
 LocalizedText TextReader::optional(const Node& node, std::string_view key) const {
@@ -77,6 +71,27 @@ bool isLanguageTag(std::string_view tag) noexcept {
   if (tag.empty()) return true;
   tag.remove_prefix(1);
   return tag.size() >= 2 && tag.size() <= 8 && std::all_of(tag.begin(), tag.end(), isLetterOrDigit);
+}
+
+bool requireLanguageTag(const Node& node, std::string_view key, std::string_view language) {
+  if (isLanguageTag(language)) return true;
+  node.problem(
+      key, "'" + shown(language) + "' is no language tag", "write one such as en, de, nb, de-CH");
+  return false;
+}
+
+std::vector<std::string> languagesIn(const std::vector<Node>& list) {
+  std::vector<std::string> languages;
+  for (const auto& node : list) {
+    const std::string language = node.asText();
+    if (!node.isText() || !requireLanguageTag(node, "", language)) continue;
+    if (base::contains(languages, language)) {
+      node.problem("", "'" + shown(language) + "' stands in this list twice", "keep one");
+    } else {
+      languages.push_back(language);
+    }
+  }
+  return languages;
 }
 
 }  // namespace questionnaires

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <set>
 
+#include "base/search.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/reading/instrument_problems.h"
 
 namespace questionnaires {
 namespace {
-
-bool isAmong(const std::vector<std::string>& all, const std::string& one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
 
 /// Checks that @p wording belongs to this version of @p instrument.
 void inspectHead(const Wording& wording, const Instrument& instrument, Problems& problems) {
@@ -146,7 +143,7 @@ void applyWording(const Wording& wording, Instrument& instrument, Problems& prob
     }
   }
   auto& languages = instrument.languages;
-  if (!isAmong(languages, wording.language)) languages.push_back(wording.language);
+  if (!base::contains(languages, wording.language)) languages.push_back(wording.language);
 }
 
 void completeWording(
@@ -157,14 +154,14 @@ void completeWording(
     Problems& problems) {
   std::vector<std::string> languages = instrument.languages;
   for (const auto& language : additionalLanguages) {
-    if (!isAmong(languages, language)) languages.push_back(language);
+    if (!base::contains(languages, language)) languages.push_back(language);
   }
   for (const auto& language : languages) {
     if (missingTexts(instrument, language).empty()) continue;
     if (addWording(instrument, language, find, problems)) continue;
     if (language == "en") {
       reportMissingWording(instrument, language, path, problems);
-    } else if (isAmong(instrument.languages, language)) {
+    } else if (base::contains(instrument.languages, language)) {
       removeLanguage(language, instrument);
     }
   }

@@ -16,12 +16,7 @@ void readKeys(const Node& root, Wording& wording) {
   wording.instrument = root.id("instrument");
   wording.version = root.id("version");
   wording.language = root.text("language");
-  if (!wording.language.empty() && !isLanguageTag(wording.language)) {
-    root.problem(
-        "language",
-        "'" + shown(wording.language) + "' is no language tag",
-        "write one such as en, de, nb, de-CH");
-  }
+  if (!wording.language.empty()) requireLanguageTag(root, "language", wording.language);
   wording.source = root.text("source");
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <algorithm>
+#include <ranges>
+#include <string_view>
+
+namespace base {
+
+/// Whether an element of @p all equals @p one.
+template <std::ranges::input_range Range, typename Value>
+constexpr bool contains(const Range& all, const Value& one) {
+  return std::ranges::find(all, one) != std::ranges::end(all);
+}
+
+/// The first element of @p all whose member `id` is @p id; nullptr if there is none.
+template <std::ranges::contiguous_range Range>
+constexpr auto* withId(const Range& all, std::string_view id) noexcept {
+  const auto found = std::ranges::find_if(all, [&](const auto& one) { return one.id == id; });
+  return found == std::ranges::end(all) ? nullptr : &*found;
+}
+
+}  // namespace base
