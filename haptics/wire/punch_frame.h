@@ -66,71 +66,75 @@ inline constexpr size_t kLargestFrame = kHeaderSize + kLargestPayload + kTrailer
 /// Encoded, with the zero at its end.
 inline constexpr size_t kLargestOnWire = largestCobsSize(kLargestFrame) + 1;
 
+inline bool isFinite(float value) noexcept {
+  return value - value == 0.0F;
+}
+
 /// Writes values in sequence, little-endian.
 class Writer {
  public:
   explicit Writer(uint8_t* to) noexcept : to_(to) {}
 
-  void u8(uint8_t value) noexcept { to_[size_++] = value; }
-  void u16(uint16_t value) noexcept { integer(value, 2); }
-  void u32(uint32_t value) noexcept { integer(value, 4); }
-  void u64(uint64_t value) noexcept { integer(value, 8); }
-  void i16(int16_t value) noexcept { u16(static_cast<uint16_t>(value)); }
-  void i32(int32_t value) noexcept { u32(static_cast<uint32_t>(value)); }
-  void f32(float value) noexcept {
-    uint32_t bits = 0;
-    __builtin_memcpy(&bits, &value, sizeof bits);
-    u32(bits);
-  }
+  void operator()(const auto&... values) noexcept { (put(values), ...); }
   size_t size() const noexcept { return size_; }
 
  private:
-  void integer(uint64_t value, int bytes) noexcept {
-    for (int i = 0; i < bytes; ++i)
-      u8(static_cast<uint8_t>(value >> (8U * static_cast<unsigned>(i))));
+  /// A whole number, a bool or an enumerator.
+  template <typename T>
+  void put(T value) noexcept {
+    auto bits = static_cast<uint64_t>(value);
+    for (size_t i = 0; i < sizeof value; ++i, bits >>= 8U)
+      to_[size_++] = static_cast<uint8_t>(bits);
+  }
+  void put(float value) noexcept {
+    uint32_t bits = 0;
+    __builtin_memcpy(&bits, &value, sizeof bits);
+    put(bits);
   }
 
   uint8_t* to_;
   size_t size_ = 0;
 };
 
-/// Reads values in sequence, little-endian. Beyond the end it reads zeros, and isFullyRead() is
-/// false.
+/// Reads values in sequence, little-endian; zeros beyond the end.
 class Reader {
  public:
   Reader(const uint8_t* from, size_t count) noexcept : from_(from), count_(count) {}
 
-  uint8_t u8() noexcept {
-    if (at_ < count_) return from_[at_++];
-    hasUnderrun_ = true;
-    return 0;
-  }
-  uint16_t u16() noexcept { return static_cast<uint16_t>(integer(2)); }
-  uint32_t u32() noexcept { return static_cast<uint32_t>(integer(4)); }
-  uint64_t u64() noexcept { return integer(8); }
-  int16_t i16() noexcept { return static_cast<int16_t>(u16()); }
-  int32_t i32() noexcept { return static_cast<int32_t>(u32()); }
-  float f32() noexcept {
-    const uint32_t bits = u32();
-    float value = 0.0F;
-    __builtin_memcpy(&value, &bits, sizeof value);
-    return value;
-  }
-  /// Whether exactly all bytes were read.
-  bool isFullyRead() const noexcept { return !hasUnderrun_ && at_ == count_; }
+  void operator()(auto&... values) noexcept { (get(values), ...); }
+  /// Whether exactly all bytes were read, every bool was 0 or 1, and every float is finite.
+  bool isSound() const noexcept { return isSound_ && at_ == count_; }
 
  private:
-  uint64_t integer(int bytes) noexcept {
+  uint64_t bits(size_t bytes) noexcept {
     uint64_t value = 0;
-    for (int i = 0; i < bytes; ++i)
-      value |= static_cast<uint64_t>(u8()) << (8U * static_cast<unsigned>(i));
+    for (size_t i = 0; i < bytes; ++i) {
+      isSound_ = isSound_ && at_ < count_;
+      if (at_ < count_) value |= static_cast<uint64_t>(from_[at_++]) << (8U * i);
+    }
     return value;
+  }
+
+  /// A whole number or an enumerator.
+  template <typename T>
+  void get(T& value) noexcept {
+    value = static_cast<T>(bits(sizeof value));
+  }
+  void get(bool& value) noexcept {
+    const uint64_t read = bits(1);
+    value = read == 1;
+    isSound_ = isSound_ && read <= 1;
+  }
+  void get(float& value) noexcept {
+    const auto read = static_cast<uint32_t>(bits(sizeof value));
+    __builtin_memcpy(&value, &read, sizeof value);
+    isSound_ = isSound_ && isFinite(value);
   }
 
   const uint8_t* from_;
   size_t count_;
   size_t at_ = 0;
-  bool hasUnderrun_ = false;
+  bool isSound_ = true;
 };
 
 /// A frame with a correct CRC; the payload points into the decoder's buffer.
@@ -154,11 +158,9 @@ inline size_t encodeFrame(
     uint8_t* wire) noexcept {
   uint8_t plain[kLargestFrame];
   Writer writer(plain);
-  writer.u8(static_cast<uint8_t>(type));
-  writer.u16(sequence);
-  writer.u32(time);
-  for (size_t i = 0; i < size; ++i) writer.u8(payload[i]);
-  writer.u32(crc32(plain, writer.size()));
+  writer(type, sequence, time);
+  for (size_t i = 0; i < size; ++i) writer(payload[i]);
+  writer(crc32(plain, writer.size()));
   const size_t stuffed = cobsEncode(plain, writer.size(), wire);
   wire[stuffed] = 0;
   return stuffed + 1;
@@ -185,9 +187,7 @@ class FrameDecoder {
     if (isEmpty) return false;
     if (count >= kHeaderSize + kTrailerSize && hasValidCrc(count)) {
       Reader head(bytes_, kHeaderSize);
-      frame.type = static_cast<Type>(head.u8());
-      frame.sequence = head.u16();
-      frame.time = head.u32();
+      head(frame.type, frame.sequence, frame.time);
       frame.payload = bytes_ + kHeaderSize;
       frame.size = count - kHeaderSize - kTrailerSize;
       return true;
@@ -207,8 +207,9 @@ class FrameDecoder {
 
  private:
   bool hasValidCrc(size_t count) const noexcept {
-    Reader tail(bytes_ + count - kTrailerSize, kTrailerSize);
-    return tail.u32() == crc32(bytes_, count - kTrailerSize);
+    uint32_t crc = 0;
+    Reader(bytes_ + count - kTrailerSize, kTrailerSize)(crc);
+    return crc == crc32(bytes_, count - kTrailerSize);
   }
 
   uint8_t bytes_[kLargestOnWire] = {};

@@ -40,7 +40,7 @@ Message roundTrip(const Message& message) {
   Message result;
   for (const auto byte : onWire(message, 0xABCD, 0x12345678)) {
     if (!decoder.take(byte, frame)) continue;
-    EXPECT_EQ(frame.type, typeOf(message));
+    EXPECT_EQ(frame.type, Message::kType);
     EXPECT_EQ(frame.sequence, 0xABCD);
     EXPECT_EQ(frame.time, 0x12345678U);
     EXPECT_TRUE(read(frame, result));
@@ -109,6 +109,9 @@ TEST(PunchCodec, RefusesInvalidValuesOfMessages) {
   EXPECT_FALSE(isRead(Model{.equationVariants = 16}, Model{}));
   EXPECT_FALSE(isRead(Model{.tableSize = 129}, Model{}));
   EXPECT_FALSE(isRead(ModelTable{.first = 120, .count = 16}, ModelTable{}));
+  EXPECT_FALSE(isRead(ModelTable{.count = 17}, ModelTable{}));
+  EXPECT_FALSE(isRead(Arm{.expiry = 0}, Arm{}));
+  EXPECT_FALSE(isRead(ModelReply{.verdict = ModelVerdict{4}}, ModelReply{}));
   EXPECT_FALSE(isRead(SetForce{}, State{})) << "another message's length";
 }
 
