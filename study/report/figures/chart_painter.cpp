@@ -13,27 +13,8 @@
 namespace study::report {
 namespace {
 
-constexpr double kUsualWidth = 860.0;
-constexpr double kHeight = 440.0;
-constexpr double kAxisHeight = 54.0;         // height of the axis below the plot
-constexpr double kLegendEntryHeight = 38.0;  // height of a legend's entry below the axis
-
-double widthOf(const FigureFormat& format) {
-  return format.width ? format.layoutWidth() : kUsualWidth;
-}
-
-/// The plot; a narrow chart has its legend below, others beside.
-QRectF plotOf(const FigureFormat& format) {
-  constexpr QRectF kUsual{78.0, 16.0, 540.0, 360.0};
-  QRectF plot = kUsual;
-  if (!format.isNarrow()) {
-    plot.setWidth(kUsual.width() + widthOf(format) - kUsualWidth);
-    return plot;
-  }
-  plot.setWidth(widthOf(format) - plot.left() - kUsual.top());
-  plot.setHeight(plot.width() * kUsual.height() / kUsual.width());
-  return plot;
-}
+constexpr QSizeF kSize{860.0, 440.0};
+constexpr QRectF kPlot{78.0, 16.0, 540.0, 360.0};  // the legend is beside it
 constexpr double kMarker = 4.0;
 constexpr std::size_t kColours = 7;  // of the palette
 
@@ -65,19 +46,13 @@ AxisScale scaleOf(const Chart& chart, bool isX) {
 
 class ChartPainter {
  public:
-  ChartPainter(QPainter& painter, const Chart& chart, const FigureFormat& format)
-      : painter_(painter),
-        chart_(chart),
-        isNarrow_(format.isNarrow()),
-        width_(widthOf(format)),
-        plot_(plotOf(format)),
-        x_(scaleOf(chart, true)),
-        y_(scaleOf(chart, false)) {}
+  ChartPainter(QPainter& painter, const Chart& chart)
+      : painter_(painter), chart_(chart), x_(scaleOf(chart, true)), y_(scaleOf(chart, false)) {}
 
   void paint() {
     axes();
     painter_.save();
-    painter_.setClipRect(plot_.adjusted(-6, -6, 6, 6));
+    painter_.setClipRect(kPlot.adjusted(-6, -6, 6, 6));
     for (std::size_t i = 0; i < chart_.series.size(); ++i)
       series(chart_.series[i], colourOf(i), i >= kColours);
     painter_.restore();
@@ -91,58 +66,65 @@ class ChartPainter {
 
   QPointF at(double x, double y) const {
     return {
-        plot_.left() + plot_.width() * x_.place(x), plot_.bottom() - plot_.height() * y_.place(y)};
+        kPlot.left() + kPlot.width() * x_.place(x), kPlot.bottom() - kPlot.height() * y_.place(y)};
   }
   bool shows(const ChartPoint& point) const { return x_.shows(point.x) && y_.shows(point.y); }
 
   void axes() {
     const QPen grid(QColor(226, 226, 226), 1);
-    for (const auto& tick : isNarrow_ ? x_.ticks(4) : x_.ticks()) {
-      const double x = plot_.left() + plot_.width() * x_.place(tick.value);
+    for (const auto& tick : x_.ticks()) {
+      const double x = kPlot.left() + kPlot.width() * x_.place(tick.value);
       painter_.setPen(grid);
-      painter_.drawLine(QPointF(x, plot_.top()), QPointF(x, plot_.bottom()));
+      painter_.drawLine(QPointF(x, kPlot.top()), QPointF(x, kPlot.bottom()));
       painter_.setPen(Qt::black);
-      drawText(painter_, {x - 36, plot_.bottom() + 4, 72, 18}, Qt::AlignCenter, tick.text);
+      drawText(painter_, {x - 36, kPlot.bottom() + 4, 72, 18}, Qt::AlignCenter, tick.text);
     }
     for (const auto& tick : y_.ticks()) {
-      const double y = plot_.bottom() - plot_.height() * y_.place(tick.value);
+      const double y = kPlot.bottom() - kPlot.height() * y_.place(tick.value);
       painter_.setPen(grid);
-      painter_.drawLine(QPointF(plot_.left(), y), QPointF(plot_.right(), y));
+      painter_.drawLine(QPointF(kPlot.left(), y), QPointF(kPlot.right(), y));
       painter_.setPen(Qt::black);
       drawText(
           painter_,
-          {22, y - 9, plot_.left() - 30, 18},
+          {22, y - 9, kPlot.left() - 30, 18},
           Qt::AlignRight | Qt::AlignVCenter,
           tick.text);
     }
     drawText(
         painter_,
-        {plot_.left(), plot_.bottom() + 28, plot_.width(), 20},
+        {kPlot.left(), kPlot.bottom() + 28, kPlot.width(), 20},
         Qt::AlignCenter,
         QString::fromStdString(chart_.x.title));
     painter_.save();
-    painter_.translate(14, plot_.center().y());
+    painter_.translate(14, kPlot.center().y());
     painter_.rotate(-90);
     drawText(
         painter_,
-        {-plot_.height() / 2 - 20, -10, plot_.height() + 40, 20},
+        {-kPlot.height() / 2 - 20, -10, kPlot.height() + 40, 20},
         Qt::AlignCenter,
         QString::fromStdString(chart_.y.title));
     painter_.restore();
   }
 
+  static bool isJoined(const ChartSeries& series) {
+    return series.style != ChartSeries::Style::Markers;
+  }
+  static bool isMarked(const ChartSeries& series) {
+    return !isJoined(series) || series.style == ChartSeries::Style::LineAndMarkers;
+  }
+  static Qt::PenStyle penOf(const ChartSeries& series) {
+    return series.style == ChartSeries::Style::Dashed ? Qt::DashLine : Qt::SolidLine;
+  }
+
   void series(const ChartSeries& series, const QColor& colour, bool isOfSecondRound) {
-    using Style = ChartSeries::Style;
-    const bool isJoined = series.style != Style::Markers;
-    const bool isMarked = series.style == Style::Markers || series.style == Style::LineAndMarkers;
-    if (isJoined) {
+    if (isJoined(series)) {
       painter_.setBrush(Qt::NoBrush);
-      const bool isDashed = series.style == Style::Dashed;
-      painter_.setPen(QPen(colour, isDashed ? 1.6 : 2.0, isDashed ? Qt::DashLine : Qt::SolidLine));
+      const auto style = penOf(series);
+      painter_.setPen(QPen(colour, style == Qt::DashLine ? 1.6 : 2.0, style));
       line(series);
     }
     for (const auto& point : series.points) {
-      if (shows(point)) mark(point, colour, isMarked, isOfSecondRound);
+      if (shows(point)) mark(point, colour, isMarked(series), isOfSecondRound);
     }
   }
 
@@ -193,55 +175,40 @@ class ChartPainter {
   }
 
   void legend() {
-    double y = isNarrow_ ? plot_.bottom() + kAxisHeight : plot_.top() + 2;
+    constexpr double kLeft = kPlot.right() + 20;
+    double y = kPlot.top() + 2;
     for (std::size_t i = 0; i < chart_.series.size(); ++i) {
       const auto& series = chart_.series[i];
       if (series.title.empty()) continue;
-      const double x = isNarrow_ ? plot_.left() : plot_.right() + 20;
-      const bool isDashed = series.style == ChartSeries::Style::Dashed;
-      if (series.style == ChartSeries::Style::Markers) {
+      if (isJoined(series)) {
+        painter_.setPen(QPen(colourOf(i), 2.4, penOf(series)));
+        painter_.drawLine(QPointF(kLeft, y + 10), QPointF(kLeft + 24, y + 10));
+      }
+      if (isMarked(series)) {
         painter_.setPen(Qt::NoPen);
         painter_.setBrush(colourOf(i));
-        symbol(QPointF(x + 12, y + 10), i >= kColours);
-      } else {
-        painter_.setPen(QPen(colourOf(i), 2.4, isDashed ? Qt::DashLine : Qt::SolidLine));
-        painter_.drawLine(QPointF(x, y + 10), QPointF(x + 24, y + 10));
-        if (series.style == ChartSeries::Style::LineAndMarkers) {
-          painter_.setPen(Qt::NoPen);
-          painter_.setBrush(colourOf(i));
-          symbol(QPointF(x + 12, y + 10), i >= kColours);
-        }
+        symbol(QPointF(kLeft + 12, y + 10), i >= kColours);
       }
       painter_.setPen(Qt::black);
       drawText(
           painter_,
-          {x + 32, y + 1, width_ - x - 34, 34},
+          {kLeft + 32, y + 1, kSize.width() - kLeft - 34, 34},
           Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
           QString::fromStdString(series.title));
-      y += series.title.size() > 26 ? kLegendEntryHeight : 24.0;
+      y += series.title.size() > 26 ? 38.0 : 24.0;
     }
   }
 
   QPainter& painter_;
   const Chart& chart_;
-  bool isNarrow_;
-  double width_;
-  QRectF plot_;
   AxisScale x_;
   AxisScale y_;
 };
 
 }  // namespace
 
-std::string chartAsSvg(const Chart& chart, const FigureFormat& format) {
-  const double height = format.isNarrow()
-                            ? plotOf(format).bottom() + kAxisHeight +
-                                  kLegendEntryHeight * static_cast<double>(chart.series.size())
-                            : kHeight;
-  return asSvg(
-      {widthOf(format), height},
-      [&](QPainter& painter) { ChartPainter(painter, chart, format).paint(); },
-      format);
+std::string chartAsSvg(const Chart& chart) {
+  return asSvg(kSize, [&](QPainter& painter) { ChartPainter(painter, chart).paint(); });
 }
 
 }  // namespace study::report
