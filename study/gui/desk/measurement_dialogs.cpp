@@ -1,6 +1,7 @@
 #include "study/gui/desk/measurement_dialogs.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include <QDir>
@@ -33,6 +34,15 @@ auto runWithProgress(QWidget* parent, const QString& title, const Work& work)
       });
   if (!isDone) return std::nullopt;
   return result;
+}
+
+/// The largest error of the minimum, average and maximum curve of a test, each a share of the force
+/// there, or of 10 N if that is more.
+std::array<double, 3> errorsOf(const haptics::reaming::TestSetFit& test) {
+  return {
+      test.force.minimum.error.floored,
+      test.force.average.error.floored,
+      test.force.maximum.error.floored};
 }
 
 QString newFile(const char* name, const char* extension) {
@@ -254,26 +264,29 @@ void FitMaterialDialog::work() {
       });
   result_->setVisible(fitted.has_value());
   if (!fitted) return clear();
-  showResult(*fitted);
+  showResult(fitted->fit);
   std::vector<Note> notes;
   if (fitted->isSynthetic) {
     notes.push_back({tr("Synthetic: nobody measured these series."), Mark::Warning});
   }
   constexpr double kPoor = 0.1;
-  for (const auto& test : fitted->tests) {
-    if (std::max({test.minimum, test.average, test.maximum}) <= kPoor) continue;
+  for (const auto& test : fitted->fit.sets) {
+    const auto& [minimum, average, maximum] = errorsOf(test);
+    if (std::max({minimum, average, maximum}) <= kPoor) continue;
     notes.push_back(
-        {tr("%1: a curve misses its series by more than 10 %.").arg(asText(test.name)),
+        {tr("%1: a curve misses its series by more than 10 %.").arg(asText(nameOf(test.set))),
          Mark::Warning});
   }
-  for (const auto& file : fitted->leftOut) {
-    notes.push_back({tr("Left out: %1").arg(asText(file)), Mark::Warning});
+  for (const auto& one : fitted->fit.series) {
+    if (!one.exclusion.isExcluded()) continue;
+    notes.push_back(
+        {tr("Left out: %1").arg(asText(one.name + ": " + one.exclusion.words)), Mark::Warning});
   }
   showWrittenFile(target_->path(), tr("Material saved: %1").arg(target_->path()), notes);
   runButton().setText(tr("Fit again"));
 }
 
-void FitMaterialDialog::showResult(const FittedMaterial& fitted) {
+void FitMaterialDialog::showResult(const haptics::reaming::MaterialFit& fit) {
   const auto words = [](const QString& text) { return Heading::ofWords(text.toStdString()); };
   const auto number = [](const QString& text) { return Heading{text.toStdString()}; };
   const auto cell = [](double value, int decimals) {
@@ -284,22 +297,22 @@ void FitMaterialDialog::showResult(const FittedMaterial& fitted) {
       .description =
           tr("Largest error of the fit [% of the measured force, or of 10 N where that is more]")
               .toStdString(),
-      .columns =
-          {words(tr("Test")),
-           number(tr("Series")),
-           number(tr("Depth [mm]")),
-           number(tr("Smallest")),
-           number(tr("Mean")),
-           number(tr("Largest"))},
-      .rows = {}};
-  for (const auto& test : fitted.tests) {
+      .columns = {
+          words(tr("Test")),
+          number(tr("Series")),
+          number(tr("Depth [mm]")),
+          number(tr("Smallest")),
+          number(tr("Mean")),
+          number(tr("Largest"))}};
+  for (const auto& test : fit.sets) {
+    const auto& [minimum, average, maximum] = errorsOf(test);
     table.rows.push_back(
-        {test.name,
-         std::to_string(test.series),
-         cell(1000.0 * test.depth, 2),
-         cell(100.0 * test.minimum, 1),
-         cell(100.0 * test.average, 1),
-         cell(100.0 * test.maximum, 1)});
+        {std::string(nameOf(test.set)),
+         std::to_string(test.used),
+         cell(1000.0 * test.scale, 2),
+         cell(100.0 * minimum, 1),
+         cell(100.0 * average, 1),
+         cell(100.0 * maximum, 1)});
   }
   result_->show({}, {table});
 }
@@ -345,6 +358,7 @@ void BuildBoneDialog::work() {
     return buildBoneTo(spheres, seed, target, progress);
   });
   if (!bone) return clear();
+  const auto& packing = bone->packing;
   const auto number = [](double value, int decimals) {
     return QString::number(value, 'f', decimals);
   };
@@ -353,11 +367,11 @@ void BuildBoneDialog::work() {
       tr("Bone saved: %1").arg(target_->path()),
       {{tr("%1 spheres of %2 to %3 mm cover %4 % of %5 cm³.")
             .arg(
-                QString::number(bone->spheres),
-                number(1e3 * bone->smallest, 3),
-                number(1e3 * bone->largest, 3),
-                number(100.0 * bone->coverage, 1),
-                number(1e6 * bone->volume, 1))},
+                QString::number(packing.spheres.size()),
+                number(1e3 * packing.spheres.back().radius, 3),
+                number(1e3 * packing.spheres.front().radius, 3),
+                number(100.0 * packing.coverage(), 1),
+                number(1e6 * packing.volume, 1))},
        {tr("Synthetic: nobody measured this bone."), Mark::Warning},
        {tr("It has no densities yet: the help says how to give it those of a material (On the "
            "command line).")}});

@@ -4,14 +4,13 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
+#include "haptics/reaming/material/material_fit.h"
 #include "study/gui/desk/columns_form.h"
 #include "study/gui/desk/recording_picture.h"
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"
 
 namespace study::gui {
-
-struct FittedMaterial;
 
 /// Imports a cut for use in a protocol: from a recording of the punch, or from a table whose
 /// columns are chosen in a form or described in a columns file.
@@ -57,7 +56,7 @@ class FitMaterialDialog final : public WorkDialog {
   void work() override;
 
  private:
-  void showResult(const FittedMaterial& fitted);
+  void showResult(const haptics::reaming::MaterialFit& fit);
 
   PathField* series_;
   QLineEdit* title_;

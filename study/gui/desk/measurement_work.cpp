@@ -76,24 +76,6 @@ bool onProgress(const Progress& progress, const reaming::PackingProgress& now, s
   }
 }
 
-FittedMaterial resultOf(const reaming::MaterialFit& fit, bool isSynthetic) {
-  FittedMaterial result{.tests = {}, .leftOut = {}, .isSynthetic = isSynthetic};
-  for (const auto& set : fit.sets) {
-    result.tests.push_back(
-        {.name = std::string(nameOf(set.set)),
-         .series = set.used,
-         .depth = set.scale,
-         .minimum = set.force.minimum.error.floored,
-         .average = set.force.average.error.floored,
-         .maximum = set.force.maximum.error.floored});
-  }
-  for (const auto& series : fit.series) {
-    if (!series.exclusion.isExcluded()) continue;
-    result.leftOut.push_back(series.name + ": " + series.exclusion.words);
-  }
-  return result;
-}
-
 }  // namespace
 
 haptics::recordings::ImportReport importCutTo(
@@ -139,15 +121,15 @@ FittedMaterial fitMaterialTo(
       std::any_of(all.begin(), all.end(), [](const auto& series) { return series.isSynthetic; });
   announceProgress(progress, kUnknownShare, "filtering, and fitting the curves");
   const reaming::FitOptions options;
-  const auto fit = reaming::fitMaterial(all, options);
+  auto fit = reaming::fitMaterial(all, options);
   if (fit.sets.empty()) throw UserError("Every series was left out; there is nothing to fit.");
   announceProgress(progress, 1.0, "writing it");
   const auto name = fs::path(out).stem().string();
   writeNewFile(out, protocols::materialAsJson(name, title, isSynthetic, fit, options, sources));
-  return resultOf(fit, isSynthetic);
+  return {std::move(fit), isSynthetic};
 }
 
-BuiltBone buildBoneTo(
+reaming::PackedBone buildBoneTo(
     std::size_t spheres, std::uint64_t seed, const std::string& out, const Progress& progress) {
   requireNewFileEndingIn(out, protocols::kPackingExtension);
   const reaming::Acetabulum body;
@@ -166,12 +148,7 @@ BuiltBone buildBoneTo(
   announceProgress(progress, 1.0, "writing it");
   writeNewFile(
       out, protocols::packingAsText(bone, {.mesh = "parametric acetabulum", .seed = seed}));
-  return {
-      .spheres = bone.packing.spheres.size(),
-      .smallest = bone.packing.spheres.back().radius,
-      .largest = bone.packing.spheres.front().radius,
-      .coverage = bone.packing.coverage(),
-      .volume = bone.packing.volume};
+  return bone;
 }
 
 }  // namespace study::gui

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "haptics/reaming/material/material_fit.h"
+#include "haptics/reaming/packing/packed_bone.h"
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/recording_table.h"
 #include "study/model/progress.h"
@@ -25,20 +27,9 @@ haptics::recordings::ImportReport importCutTo(
     const std::string& out,
     const Progress& progress);
 
-/// How well the curves of one test describe its series.
-struct FittedTest {
-  std::string name;
-  int series = 0;      ///< number of series that were used
-  double depth = 0.0;  ///< depth to which the curves go [m]
-  // The largest error of each curve, as a share of the force there, or of 10 N if that is more.
-  double minimum = 0.0;
-  double average = 0.0;
-  double maximum = 0.0;
-};
 struct FittedMaterial {
-  std::vector<FittedTest> tests;
-  std::vector<std::string> leftOut;  ///< series that were left out, each with the reason
-  bool isSynthetic = false;          ///< nobody measured them
+  haptics::reaming::MaterialFit fit;
+  bool isSynthetic = false;  ///< nobody measured the series
 };
 /// @param folder  CSV or TSV files, one per series. Each file name contains its test: static,
 ///                dynamic-1 or dynamic-2.
@@ -48,15 +39,8 @@ FittedMaterial fitMaterialTo(
     const std::string& out,
     const Progress& progress);
 
-struct BuiltBone {
-  std::size_t spheres = 0;
-  double smallest = 0.0;  ///< radius [m]
-  double largest = 0.0;   ///< radius [m]
-  double coverage = 0.0;  ///< share of the volume, 0 to 1
-  double volume = 0.0;    ///< [m³]
-};
 /// @param out  a path that ends in .packing.
-BuiltBone buildBoneTo(
+haptics::reaming::PackedBone buildBoneTo(
     std::size_t spheres, std::uint64_t seed, const std::string& out, const Progress& progress);
 
 }  // namespace study::gui
