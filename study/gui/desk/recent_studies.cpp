@@ -13,18 +13,37 @@ namespace {
 constexpr const char* kRecentKey = "recent-studies";
 constexpr const char* kDocumentsKey = "written-documents";
 
-void store(const std::vector<RecentStudy>& studies) {
+/// Calls @p read for each entry of a list in the settings, with the settings at that entry.
+template <class Read>
+void readList(const char* key, Read read) {
   auto settings = studioSettings();
-  settings.remove(QLatin1String(kRecentKey));
-  settings.beginWriteArray(QLatin1String(kRecentKey));
-  for (int i = 0; i < static_cast<int>(studies.size()); ++i) {
-    const auto& study = studies[static_cast<std::size_t>(i)];
+  const int count = settings.beginReadArray(QLatin1String(key));
+  for (int i = 0; i < count; ++i) {
     settings.setArrayIndex(i);
+    read(settings);
+  }
+  settings.endArray();
+}
+
+/// Replaces a list in the settings; @p write writes one entry.
+template <class Entry, class Write>
+void writeList(const char* key, const std::vector<Entry>& entries, Write write) {
+  auto settings = studioSettings();
+  settings.remove(QLatin1String(key));
+  settings.beginWriteArray(QLatin1String(key));
+  for (int i = 0; const auto& entry : entries) {
+    settings.setArrayIndex(i++);
+    write(settings, entry);
+  }
+  settings.endArray();
+}
+
+void store(const std::vector<RecentStudy>& studies) {
+  writeList(kRecentKey, studies, [](QSettings& settings, const RecentStudy& study) {
     settings.setValue(QStringLiteral("folder"), study.folder);
     settings.setValue(QStringLiteral("title"), study.title);
     settings.setValue(QStringLiteral("opened"), study.opened);
-  }
-  settings.endArray();
+  });
 }
 
 QString plainFolder(const QString& folder) {
@@ -32,17 +51,13 @@ QString plainFolder(const QString& folder) {
 }
 
 std::vector<WrittenDocument> allDocuments() {
-  auto settings = studioSettings();
   std::vector<WrittenDocument> documents;
-  const int count = settings.beginReadArray(QLatin1String(kDocumentsKey));
-  for (int i = 0; i < std::min(count, kMostDocuments); ++i) {
-    settings.setArrayIndex(i);
+  readList(kDocumentsKey, [&](const QSettings& settings) {
     documents.push_back(
         {.study = settings.value(QStringLiteral("study")).toString(),
          .path = settings.value(QStringLiteral("path")).toString(),
          .written = settings.value(QStringLiteral("written")).toDateTime()});
-  }
-  settings.endArray();
+  });
   return documents;
 }
 
@@ -55,17 +70,13 @@ std::vector<RecentStudy> recentStudiesExcept(const QString& folder) {
 }  // namespace
 
 std::vector<RecentStudy> recentStudies() {
-  auto settings = studioSettings();
   std::vector<RecentStudy> studies;
-  const int count = settings.beginReadArray(QLatin1String(kRecentKey));
-  for (int i = 0; i < count; ++i) {
-    settings.setArrayIndex(i);
+  readList(kRecentKey, [&](const QSettings& settings) {
     studies.push_back(
         {.folder = settings.value(QStringLiteral("folder")).toString(),
          .title = settings.value(QStringLiteral("title")).toString(),
          .opened = settings.value(QStringLiteral("opened")).toDateTime()});
-  }
-  settings.endArray();
+  });
   return studies;
 }
 
@@ -98,17 +109,11 @@ void rememberDocument(const QString& study, const QString& path) {
       documents.begin(),
       {.study = plainFolder(study), .path = plain, .written = QDateTime::currentDateTimeUtc()});
   if (documents.size() > kMostDocuments) documents.resize(kMostDocuments);
-  auto settings = studioSettings();
-  settings.remove(QLatin1String(kDocumentsKey));
-  settings.beginWriteArray(QLatin1String(kDocumentsKey));
-  for (int i = 0; i < static_cast<int>(documents.size()); ++i) {
-    const auto& document = documents[static_cast<std::size_t>(i)];
-    settings.setArrayIndex(i);
+  writeList(kDocumentsKey, documents, [](QSettings& settings, const WrittenDocument& document) {
     settings.setValue(QStringLiteral("study"), document.study);
     settings.setValue(QStringLiteral("path"), document.path);
     settings.setValue(QStringLiteral("written"), document.written);
-  }
-  settings.endArray();
+  });
 }
 
 }  // namespace study::gui
