@@ -36,7 +36,7 @@ struct DataTable {
   std::string name;  ///< of the file, without its extension
   std::string description;
   std::vector<Heading> columns;
-  std::vector<std::vector<Cell>> rows;
+  std::vector<std::vector<Cell>> rows = {};
 };
 
 /// @p text, with an apostrophe before it if a spreadsheet would read it as a formula.

@@ -367,12 +367,7 @@ ReportSection gatherResults(Study& study, RunMode mode, const words::Words& word
       .trail = mode == RunMode::Simulated ? storage::TrailEnd() : storage::endOf(study.database()),
       .commitment = mode == RunMode::Simulated ? std::string() : study.events().commitment(),
       .results = std::move(results),
-      .curves = {},
-      .curvesReason = {},
-      .quality = {},
-      .landmarks = {},
       .warnings = warningsOf(study),
-      .figures = {},
       .words = withDevices(words, study.protocol().protocol)};
 }
 

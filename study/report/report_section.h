@@ -105,14 +105,14 @@ struct ReportSection {
   /// empty in simulated sessions, and in studies without a secret.
   std::string commitment = {};
   Results results;
-  std::vector<RenderedForceCurve> curves;
-  base::Message curvesReason;  ///< why there are no curves, if the traces could not be read
-  TrialQuality quality;
-  std::vector<LandmarkSummary> landmarks;         ///< condition by condition, of those with cuts
+  std::vector<RenderedForceCurve> curves = {};
+  base::Message curvesReason = {};  ///< why there are no curves, if the traces could not be read
+  TrialQuality quality = {};
+  std::vector<LandmarkSummary> landmarks = {};    ///< condition by condition, of those with cuts
   std::vector<questionnaires::Problem> warnings;  ///< of the protocol's validation
   bool hasQuotes = true;                          ///< whether what participants wrote is shown
   Wording wording = Wording::Apa;                 ///< of the sentences
-  Figures figures;
+  Figures figures = {};
   words::Words words;  ///< in the language of the report
 
   const std::string& conditionTitle(const std::string& condition) const;

@@ -52,13 +52,12 @@ DataTable balanceTable(
   DataTable table{
       .name = "balance",
       .description = said("Balance"),
-      .columns =
-          {Heading::ofWords(said("Part")),
-           Heading::ofWords(said("Condition")),
-           Heading::ofWords(said("Balance")),
-           Heading::ofWords(said("Times at position 1, 2, …")),
-           Heading::ofWords(said("Times right after"))},
-      .rows = {}};
+      .columns = {
+          Heading::ofWords(said("Part")),
+          Heading::ofWords(said("Condition")),
+          Heading::ofWords(said("Balance")),
+          Heading::ofWords(said("Times at position 1, 2, …")),
+          Heading::ofWords(said("Times right after"))}};
   for (const auto& phase : protocol.phases) {
     if (phase.type != protocols::PhaseType::Block) continue;
     const auto balance =
@@ -101,7 +100,6 @@ OrdersPage::OrdersPage(QWidget* parent)
       new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{0,15}")), seed_));
   makeReadOnly(*table_);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->verticalHeader()->hide();
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setAccessibleName(tr("Orders"));
   connect(balance_, &ResultTable::columnsFitted, this, [this] {

@@ -145,8 +145,6 @@ void PreviewWindow::makeBar(QVBoxLayout& layout) {
   }
   auto* back = new QPushButton(tr("Previous page"), this);
   auto* next = new QPushButton(tr("Next page"), this);
-  back->setObjectName(QStringLiteral("previous-page"));
-  next->setObjectName(QStringLiteral("next-page"));
   const auto move = [this](int by) {
     const int row = steps_->currentRow() + by;
     if (row >= 0 && row < steps_->count()) steps_->setCurrentRow(row);

@@ -54,7 +54,7 @@ using questionnaires::Severity;
 ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
     : QMainWindow(parent),
       source_(source),
-      title_(bodyLabel({}, this)),
+      title_(headingLabel({}, this)),
       verdict_(bodyLabel({}, this)),
       readAtLabel_(quietLabel({}, this)),
       previewButton_(new QPushButton(tr("Preview as participant…"), this)),
@@ -98,7 +98,6 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
 }
 
 QHBoxLayout* ProtocolWindow::makeHead() {
-  title_->setProperty("role", QStringLiteral("heading"));
   verdict_->setObjectName(QStringLiteral("verdict"));
   showSourceButton_->setObjectName(QStringLiteral("show-source"));
   showSourceButton_->setProperty("role", QStringLiteral("tool"));
@@ -178,7 +177,6 @@ void ProtocolWindow::prepareProblems() {
   makeReadOnly(*problems_);
   problems_->setSelectionBehavior(QAbstractItemView::SelectRows);
   problems_->setSelectionMode(QAbstractItemView::SingleSelection);
-  problems_->verticalHeader()->hide();
   problems_->setWordWrap(true);
   auto* heads = problems_->horizontalHeader();
   heads->setSectionResizeMode(0, QHeaderView::ResizeToContents);
@@ -188,7 +186,6 @@ void ProtocolWindow::prepareProblems() {
   problems_->setColumnWidth(1, 230);
   // A scroll bar that appears leaves the columns less room, and the rows then need more.
   connect(heads, &QHeaderView::sectionResized, problems_, &QTableWidget::resizeRowsToContents);
-  heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   problems_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 

@@ -68,15 +68,13 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(24, 20, 24, 20);
   layout->setSpacing(12);
-  auto* heading = bodyLabel(windowTitle(), this);
-  heading->setProperty("role", QStringLiteral("heading"));
+  auto* heading = headingLabel(windowTitle(), this);
   layout->addWidget(heading);
   layout->addWidget(quietLabel(
       tr("Participants read these words in the information, the consent form and at the end."),
       this));
   auto* chosen = new QWidget(this);  // not scrolled: all below depends on it
-  auto* line = new QHBoxLayout(chosen);
-  line->setContentsMargins(0, 0, 0, 0);
+  auto* line = withoutMargins<QHBoxLayout>(chosen);
   line->addWidget(new QLabel(tr("Language"), chosen));
   line->addWidget(languages_, 1);
   layout->addWidget(chosen);

@@ -28,8 +28,7 @@ constexpr std::array kForceUnits{"N", "mN", "kN", "g", "kg"};
 QWidget* beside(std::initializer_list<QWidget*> parts, QWidget* parent) {
   auto* row = new QWidget(parent);
   row->setProperty("role", QStringLiteral("plain"));
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(0, 0, 0, 0);
+  auto* line = withoutMargins<QHBoxLayout>(row);
   for (auto* part : parts) line->addWidget(part, qobject_cast<QLabel*>(part) == nullptr ? 1 : 0);
   row->setFocusProxy(*parts.begin());
   return row;

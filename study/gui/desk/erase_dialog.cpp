@@ -80,7 +80,6 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
       reseal_(new QCheckBox(tr("Seal the audit trail of an older release first"), this)) {
   participant_->setObjectName(QStringLiteral("participant"));
   participant_->setAccessibleName(tr("Participant"));
-  level_->setObjectName(QStringLiteral("level"));
   level_->setAccessibleName(tr("What is erased"));
   level_->addItem(tr("Names, answers and recordings"), QStringLiteral("all"));
   level_->addItem(tr("Answers and recordings only"), QStringLiteral("answers"));

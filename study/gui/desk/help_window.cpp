@@ -242,7 +242,6 @@ HelpWindow::HelpWindow(QWidget* parent)
   setWindowTitle(tr("Help — Palpate"));
   searchField_->setPlaceholderText(tr("Search this page"));
   searchField_->setAccessibleName(tr("Search this page"));
-  searchField_->setObjectName(QStringLiteral("search"));
   searchField_->setClearButtonEnabled(true);
   searchResult_->setVisible(false);
   contents_->setAccessibleName(tr("Contents"));

@@ -41,7 +41,6 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
     protocol_->addItem(tr("%1 (ships with the program)").arg(words), words);
   }
   protocol_->addItem(tr("A file of my own…"), QString());
-  file_->setObjectName(QStringLiteral("protocol-file"));
   folder_->setObjectName(QStringLiteral("folder"));
   folder_->setPath(unusedPath(QDir(documentsFolder()).filePath(QStringLiteral("my-study"))));
   seed_->setAccessibleName(tr("Seed"));
@@ -67,7 +66,6 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   form().addRow(tr("Protocol file"), file_);
   form().addRow(actions);
   form().addRow(tr("New folder"), folder_);
-  advanced_->setObjectName(QStringLiteral("advanced"));
   form().addRow(QString(), advanced_);
   form().addRow(tr("Random seed (optional)"), seed_);
   form().setRowVisible(seed_, false);

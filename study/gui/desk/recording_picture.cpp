@@ -88,7 +88,6 @@ RecordingPlot::RecordingPlot(QWidget* parent)
       force_(plot_->axisRect()),
       travel_(new QCPAxisRect(plot_)),
       words_(quietLabel({}, this)) {
-  words_->setObjectName(QStringLiteral("recording-words"));
   plot_->setMinimumHeight(heightOfPlotOn(*screen()));
   plot_->setNotAntialiasedElements(QCP::aeAll);
   plot_->setAccessibleName(tr("Force and travel over time"));
@@ -101,8 +100,7 @@ RecordingPlot::RecordingPlot(QWidget* parent)
   force_->axis(QCPAxis::atLeft)->setLabel(tr("force [N]"));
   travel_->axis(QCPAxis::atLeft)->setLabel(tr("travel"));
   travel_->axis(QCPAxis::atBottom)->setLabel(tr("time [s]"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = withoutMargins<QVBoxLayout>(this);
   layout->addWidget(sectionLabel(tr("The recording"), this));
   layout->addWidget(plot_, 1);
   layout->addWidget(words_);
@@ -267,10 +265,8 @@ QTableWidget* landmarkTable(QWidget* parent) {
       {CutPlot::tr("Landmark"), CutPlot::tr("Travel"), CutPlot::tr("Force [N]")});
   makeReadOnly(*table);
   table->setSelectionMode(QAbstractItemView::NoSelection);
-  table->setShowGrid(false);
   table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  table->verticalHeader()->hide();
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   for (const int column : {1, 2}) {
@@ -336,12 +332,10 @@ CutPlot::CutPlot(QWidget* parent)
   add(tr("recorded"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssCircle, 6));
   add(tr("the cut"), QCPGraph::lsLine, QCPScatterStyle::ssNone);
   add(tr("landmarks"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssDiamond, 9));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = withoutMargins<QVBoxLayout>(this);
   layout->addWidget(sectionLabel(tr("The cut"), this));
   layout->addWidget(plot_, 1);
-  auto* words = new QVBoxLayout(summary_);
-  words->setContentsMargins(0, 0, 0, 0);
+  auto* words = withoutMargins<QVBoxLayout>(summary_);
   words->addWidget(change_);
   words->addWidget(landmarks_);
 }

@@ -24,8 +24,7 @@ SelfTestDialog::SelfTestDialog(SelfTestOptions options, QWidget* parent)
   outcome_->setObjectName(QStringLiteral("outcome"));
   outcome_->setVisible(false);
   table_->setObjectName(QStringLiteral("lines"));
-  auto* heading = bodyLabel(tr("System check"), this);
-  heading->setProperty("role", QStringLiteral("heading"));
+  auto* heading = headingLabel(tr("System check"), this);
   beginButton_->setObjectName(QStringLiteral("go"));
   beginButton_->setProperty("role", QStringLiteral("main"));
   beginButton_->setFocus();

@@ -233,8 +233,7 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("Reason for unblinding"), reason_);
   auto* pages = new QWidget(this);
-  auto* side = new QHBoxLayout(pages);
-  side->setContentsMargins(0, 0, 0, 0);
+  auto* side = withoutMargins<QHBoxLayout>(pages);
   side->addWidget(language_, 3);
   side->addWidget(paper_, 2);
   form().addRow(tr("Language and paper"), pages);
@@ -261,7 +260,6 @@ void ReportDialog::addFigures() {
   width_->setAccessibleName(tr("Width of figures [mm]"));
   width_->setRange(kLeastWidth, kMostWidth);
   width_->setValue(kOneColumn);
-  font_->setObjectName(QStringLiteral("figure-font"));
   font_->setAccessibleName(tr("Font size in figures [pt]"));
   font_->setRange(kSmallest, kLargest);
   font_->setSingleStep(0.5);

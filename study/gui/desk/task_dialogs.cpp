@@ -42,7 +42,6 @@ AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
       file_(new PathField(
           PathField::Kind::ExistingFile, tr("Changed protocol"), tr("Protocols (*.json)"), this)),
       reason_(new QLineEdit(this)) {
-  file_->setObjectName(QStringLiteral("protocol-file"));
   file_->startIn(protocolFolder());
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason for the change"));

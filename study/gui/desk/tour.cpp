@@ -94,14 +94,13 @@ Tour::Tour(QWidget* parent)
       protocol_(shippedPunchProtocol()),
       punch_(protocol_.protocol.devices.front(), protocol_.protocol.conditions.front().scene()),
       stepCount_(quietLabel({}, this)),
-      heading_(bodyLabel({}, this)),
+      heading_(headingLabel({}, this)),
       steps_(new QStackedWidget(this)),
       back_(new QPushButton(tr("Back"), this)),
       next_(new QPushButton(this)) {
   setWindowTitle(tr("Palpate in three steps"));
   translator_.setLanguage(deskLanguage());
   QCoreApplication::installTranslator(&translator_);
-  heading_->setProperty("role", QStringLiteral("heading"));
   next_->setObjectName(QStringLiteral("tour-next"));
   for (auto* button : {back_, next_}) button->setAutoDefault(false);
   steps_->addWidget(makeTrialDemonstration());
@@ -201,8 +200,7 @@ QWidget* Tour::makeTrialDemonstration() {
   columns->setSpacing(20);
   columns->addWidget(screenAround(*trialPage_, step), 3);
   columns->addLayout(drawings, 2);
-  auto* layout = new QVBoxLayout(step);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = withoutMargins<QVBoxLayout>(step);
   layout->addWidget(quietLabel(
       tr("With a device your fingers would feel the force; here it is only drawn. It is computed a "
          "thousand times a second, as in a study. It drops where the tissue gives way, and is "
@@ -231,13 +229,10 @@ QWidget* Tour::makeQuestions() {
       {.title = tr("Alternative 1"),
        .introduction = QString::fromStdString(instrument->introduction.in(deskLanguage())),
        .items = instrument->itemsOf(asked.itemSetFor(block->trials.conditions.front())),
-       .choices = {},
-       .language = QString::fromStdString(deskLanguage()),
-       .before = {}},
+       .language = QString::fromStdString(deskLanguage())},
       step);
   disableMnemonics(*page);
-  auto* layout = new QVBoxLayout(step);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = withoutMargins<QVBoxLayout>(step);
   layout->addWidget(quietLabel(
       tr("The alternative has a number, and is never named by what it is. Nothing is chosen "
          "beforehand, and every answer is on the disk before the next page. Try it: here, nothing "
@@ -254,15 +249,12 @@ QWidget* Tour::makeRecord() {
   record_->setAccessibleName(tr("What is kept of a trial"));
   record_->setHorizontalHeaderLabels({tr("What is kept"), tr("Of what you just felt")});
   record_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  record_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  record_->verticalHeader()->hide();
   makeReadOnly(*record_);
   record_->setSelectionMode(QAbstractItemView::NoSelection);
   storedDataLabel_ = quietLabel({}, step);
   travelPlot_ = new TravelPlot(step);
   record_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   record_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  record_->setShowGrid(false);
   record_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Interactive);
   connect(record_->horizontalHeader(), &QHeaderView::sectionResized, this, &Tour::fitRecord);
   auto* own = new QVBoxLayout;
@@ -284,8 +276,7 @@ QWidget* Tour::makeRecord() {
   columns->setSpacing(20);
   columns->addLayout(own, 1);
   columns->addLayout(report, 1);
-  auto* layout = new QVBoxLayout(step);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = withoutMargins<QVBoxLayout>(step);
   layout->addWidget(storedDataLabel_);
   layout->addLayout(columns, 1);
   return step;

@@ -48,8 +48,7 @@ WorkDialog::WorkDialog(
       disabledReason_(quietLabel({}, this)),
       runButton_(new QPushButton(verb, this)) {
   setWindowTitle(title);
-  auto* heading = bodyLabel(title, this);
-  heading->setProperty("role", QStringLiteral("heading"));
+  auto* heading = headingLabel(title, this);
   runButton_->setProperty("role", QStringLiteral("main"));
   runButton_->setObjectName(QStringLiteral("go"));
   runButton_->setDefault(true);
@@ -76,9 +75,7 @@ WorkDialog::WorkDialog(
   scroll_->setWidgetResizable(true);
   scroll_->setWidget(inside);
   scroll_->setFocusPolicy(Qt::NoFocus);  // it scrolls to what has the focus
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(14);
+  auto* layout = withoutMargins<QVBoxLayout>(this, 14);
   layout->addWidget(scroll_, 1);
   layout->addLayout(makeButtons());
   resize(kUsualWidth, 0);

@@ -148,9 +148,7 @@ QWidget* HomeWindow::makeList() {
     const auto* study = chosen();
     if (study != nullptr) openStudy(QString::fromStdString(study->folder));
   });
-  auto* layout = new QVBoxLayout(side);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(12);
+  auto* layout = withoutMargins<QVBoxLayout>(side, 12);
   layout->addWidget(titleLabel(tr("Studies"), side));
   constexpr int kTableStretch = 1000;  // the list takes what its rows need, and the rest is empty
   layout->addWidget(list_, kTableStretch);
@@ -170,9 +168,7 @@ QWidget* HomeWindow::makeTools(QWidget* parent) {
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(12);
   for (auto* button : {make, open}) buttons->addWidget(button, 1);
-  auto* layout = new QVBoxLayout(tools);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = withoutMargins<QVBoxLayout>(tools, 0);
   layout->addLayout(buttons);
   layout->addSpacing(12);
   const auto add = [&](const QString& words, void (HomeWindow::*requestSignal)()) {

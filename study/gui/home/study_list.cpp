@@ -145,11 +145,9 @@ StudyList::StudyList(QWidget* parent) : QTableWidget(0, 1, parent) {
   setProperty("role", QStringLiteral("cards"));
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setSelectionMode(QAbstractItemView::SingleSelection);
-  setShowGrid(false);
   setWordWrap(true);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  verticalHeader()->hide();
   verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   horizontalHeader()->hide();
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);

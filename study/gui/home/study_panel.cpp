@@ -42,7 +42,7 @@ QString aboutSessions(const StudySummary& summary) {
 
 StudyPanel::StudyPanel(QWidget* parent)
     : QFrame(parent),
-      title_(bodyLabel({}, this)),
+      title_(headingLabel({}, this)),
       sessions_(quietLabel({}, this)),
       arrivals_(bodyLabel({}, this)),
       keyRemark_(bodyLabel(
@@ -58,7 +58,6 @@ StudyPanel::StudyPanel(QWidget* parent)
       documentRows_(new QVBoxLayout),
       foot_(quietLabel({}, this)) {
   setProperty("role", QStringLiteral("card"));
-  title_->setProperty("role", QStringLiteral("heading"));
   arrivals_->setObjectName(QStringLiteral("arrivals"));
   keyRemark_->setObjectName(QStringLiteral("key-remark"));
   textsRemark_->setObjectName(QStringLiteral("texts-remark"));
@@ -72,8 +71,7 @@ StudyPanel::StudyPanel(QWidget* parent)
   connect(open_, &QPushButton::clicked, this, &StudyPanel::openRequested);
   connect(removeButton_, &QPushButton::clicked, this, &StudyPanel::listRemovalRequested);
   makeActions();
-  auto* documents = new QVBoxLayout(documents_);
-  documents->setContentsMargins(0, 0, 0, 0);
+  auto* documents = withoutMargins<QVBoxLayout>(documents_);
   documents->addWidget(makeSeparator());
   documents->addWidget(sectionLabel(tr("Reports and exports"), documents_));
   documents->addLayout(documentRows_);
@@ -112,9 +110,7 @@ void StudyPanel::makeActions() {
   const auto group = [&](const QString& title) {
     auto* column = new QWidget(this);
     column->setProperty("role", QStringLiteral("plain"));
-    auto* lines = new QVBoxLayout(column);
-    lines->setContentsMargins(0, 0, 0, 0);
-    lines->setSpacing(0);
+    auto* lines = withoutMargins<QVBoxLayout>(column, 0);
     lines->addWidget(sectionLabel(title, column));
     lines->addSpacing(4);
     column->setAccessibleName(title);
@@ -165,8 +161,7 @@ QWidget* StudyPanel::makeRemark(
   button->setProperty("role", QStringLiteral("tool"));
   button->setObjectName(remark.objectName() + QStringLiteral("-button"));
   remark.setProperty("role", QStringLiteral("warn"));
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(0, 0, 0, 0);
+  auto* line = withoutMargins<QHBoxLayout>(row);
   line->addWidget(&remark, 1);
   line->addWidget(button);
   connect(button, &QPushButton::clicked, this, requestSignal);
@@ -268,9 +263,7 @@ void StudyPanel::showDocuments(const StudySummary& summary) {
     const auto& document = documents[i];
     auto* row = new QWidget(documents_);
     row->setProperty("role", QStringLiteral("plain"));
-    auto* line = new QHBoxLayout(row);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(kBetweenColumns);
+    auto* line = withoutMargins<QHBoxLayout>(row, kBetweenColumns);
     auto* name = bodyLabel(QFileInfo(document.path).fileName(), row);
     name->setToolTip(document.path);
     auto* day = quietLabel(

@@ -60,8 +60,7 @@ Welcome::Welcome(QWidget* parent)
        "main",
        &Welcome::newStudyRequested});
   lines->addWidget(makeLinks());
-  auto* page = new QVBoxLayout(this);
-  page->setContentsMargins(0, 0, 0, 0);
+  auto* page = withoutMargins<QVBoxLayout>(this);
   page->addStretch(2);
   auto* middle = new QHBoxLayout;
   middle->addStretch(1);
@@ -74,8 +73,7 @@ Welcome::Welcome(QWidget* parent)
 void Welcome::addCard(const StartOption& way) {
   auto* card = new QFrame(this);
   card->setProperty("role", QStringLiteral("card"));
-  auto* title = bodyLabel(way.title, card);
-  title->setProperty("role", QStringLiteral("heading"));
+  auto* title = headingLabel(way.title, card);
   auto* button = new QPushButton(way.button, card);
   button->setProperty("role", QString::fromUtf8(way.role));
   button->setAccessibleDescription(way.what);
@@ -95,9 +93,7 @@ void Welcome::addCard(const StartOption& way) {
 /// Links to actions that are needed less often.
 QWidget* Welcome::makeLinks() {
   auto* row = new QWidget(this);
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->setSpacing(16);
+  auto* line = withoutMargins<QHBoxLayout>(row, 16);
   const auto add = [&](const QString& words, void (Welcome::*requestSignal)()) {
     auto* link = new QPushButton(words, row);
     link->setProperty("role", QStringLiteral("link"));

@@ -40,7 +40,6 @@ QString reasonForNoColours(const Session& session) {
 }
 
 BoneColoursButton::BoneColoursButton(QWidget* parent) : QPushButton(tr("See the bone…"), parent) {
-  setObjectName(QStringLiteral("see-the-bone"));
   setProperty("role", QStringLiteral("tool"));
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   connect(this, &QPushButton::clicked, this, &BoneColoursButton::openWindow);

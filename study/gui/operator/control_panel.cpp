@@ -33,7 +33,7 @@ QStringList argumentsOf(MessageTopic topic, const Session& session) {
 
 ControlPanel::ControlPanel(QWidget* parent)
     : QWidget(parent),
-      participantLabel_(bodyLabel({}, this)),
+      participantLabel_(headingLabel({}, this)),
       cohort_(quietLabel({}, this)),
       stop_(new QPushButton(tr("STOP the force"), this)),
       resume_(new QPushButton(tr("Continue"), this)),
@@ -44,7 +44,6 @@ ControlPanel::ControlPanel(QWidget* parent)
       close_(new QPushButton(tr("Close session"), this)),
       note_(new QLineEdit(this)),
       notes_(new QListWidget(this)) {
-  participantLabel_->setProperty("role", QStringLiteral("heading"));
   participantLabel_->setObjectName(QStringLiteral("who"));
   stop_->setProperty("role", QStringLiteral("stop"));
   stop_->setToolTip(tr("Also Esc, Pause, F12, or a foot switch that types one of them"));
@@ -56,9 +55,7 @@ ControlPanel::ControlPanel(QWidget* parent)
   notes_->setWordWrap(true);
   note_->setPlaceholderText(tr("Note, with the time; Enter saves it"));
   note_->setAccessibleName(tr("Note"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(10);
+  auto* layout = withoutMargins<QVBoxLayout>(this, 10);
   layout->addWidget(participantLabel_);
   layout->addWidget(cohort_);
   layout->addWidget(stop_);
@@ -74,9 +71,7 @@ ControlPanel::ControlPanel(QWidget* parent)
 
 QWidget* ControlPanel::makeButtons() {
   auto* inside = new QWidget(this);
-  auto* layout = new QVBoxLayout(inside);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
+  auto* layout = withoutMargins<QVBoxLayout>(inside, 8);
   const auto repeat =
       add(tr("Repeat…"),
           SessionEvent::RepeatedStep,

@@ -52,10 +52,10 @@ CutTable::CutTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   for (const int column : {kContact, kYield, kBottom, kOpening}) {
     horizontalHeaderItem(column)->setToolTip(tr("Force, and the travel at it"));
   }
-  horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   setSelectionMode(QAbstractItemView::NoSelection);
   makeReadOnly(*this);
+  verticalHeader()->show();  // the number of the cut
   setFocusPolicy(Qt::NoFocus);
 }
 

@@ -46,8 +46,7 @@ DevicePanel::DevicePanel(const protocols::Protocol& protocol, DeviceSet& deviceS
     : QWidget(parent),
       protocol_(protocol),
       deviceSet_(dynamic_cast<HardwareDeviceSet*>(&deviceSet)) {
-  auto* columns = new QHBoxLayout(this);
-  columns->setContentsMargins(0, 0, 0, 0);
+  auto* columns = withoutMargins<QHBoxLayout>(this);
   auto* layout = new QVBoxLayout;
   columns->addLayout(layout, 1);
   if (deviceSet_ == nullptr) {

@@ -133,12 +133,9 @@ void OperatorWindow::makeMenus() {
 /// devices.
 QWidget* OperatorWindow::makeHead() {
   auto* head = new QWidget(this);
-  auto* lines = new QVBoxLayout(head);
-  lines->setContentsMargins(0, 0, 0, 0);
-  lines->setSpacing(2);
+  auto* lines = withoutMargins<QVBoxLayout>(head, 2);
   const auto& protocol = study_.protocol().protocol;
-  auto* title = titleLabel(QString::fromStdString(protocol.study.title), head);
-  title->setProperty("role", QStringLiteral("heading"));
+  auto* title = headingLabel(QString::fromStdString(protocol.study.title), head);
   lines->addWidget(title);
   lines->addWidget(devices_);
   return head;
@@ -360,7 +357,6 @@ void OperatorWindow::showInterview() {
       {.title = QString::fromStdString(instrument->title.in(session.language())),
        .introduction = QString::fromStdString(instrument->introduction.in(session.language())),
        .items = session.items(),
-       .choices = {},
        .language = QString::fromStdString(session.language()),  // of the person who is asked
        .before = session.answers()},
       this);

@@ -71,14 +71,12 @@ ServoPanel::ServoPanel(QWidget* parent)
   auto* head = new QHBoxLayout;
   head->addWidget(timingLabel_, 1);
   head->addWidget(details_);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
+  auto* all = withoutMargins<QVBoxLayout>(this);
   all->addLayout(head);
   all->addWidget(more_);
   more_->setVisible(false);
   connect(details_, &QPushButton::toggled, more_, &QWidget::setVisible);
-  auto* layout = new QHBoxLayout(more_);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = withoutMargins<QHBoxLayout>(more_);
   words_->setObjectName(QStringLiteral("servo-health"));
   words_->setWordWrap(true);
   layout->addWidget(words_, 3);

@@ -21,12 +21,6 @@ namespace {
 
 enum SessionColumn { kCode, kSite, kCohort, kRunMode, kLanguage, kBegun, kStatus, kSessionColumns };
 
-QLabel* sectionHeading(const QString& words, QWidget* parent) {
-  auto* heading = bodyLabel(words, parent);
-  heading->setProperty("role", QStringLiteral("heading"));
-  return heading;
-}
-
 }  // namespace
 
 SessionsPage::SessionsPage(Study& study, StationPush& push, QWidget* parent)
@@ -76,7 +70,6 @@ QWidget* SessionsPage::makeList() {
        tr("Language"),
        tr("Begun"),
        tr("Status")});
-  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(kCohort, QHeaderView::Stretch);
@@ -87,17 +80,14 @@ QWidget* SessionsPage::makeList() {
       this,
       &SessionsPage::setMinimumHeights,
       Qt::QueuedConnection);
-  table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   makeReadOnly(*table_);
-  details_->setObjectName(QStringLiteral("session-details"));
 
   auto* list = new QWidget(this);
-  auto* layout = new QVBoxLayout(list);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(sectionHeading(tr("Sessions"), list));
+  auto* layout = withoutMargins<QVBoxLayout>(list);
+  layout->addWidget(headingLabel(tr("Sessions"), list));
   constexpr int kTableStretch = 1000;  // the table takes what its rows need, and the rest is empty
   layout->addWidget(table_, kTableStretch);
   layout->addWidget(details_);
@@ -145,7 +135,7 @@ QWidget* SessionsPage::makeEnrolment() {
   auto* layout = new QVBoxLayout(card);
   layout->setContentsMargins(20, 16, 20, 16);
   layout->setSpacing(12);
-  layout->addWidget(sectionHeading(tr("Next participant"), card));
+  layout->addWidget(headingLabel(tr("Next participant"), card));
   cohortProgress_->setSpacing(8);
   layout->addLayout(cohortProgress_);
   layout->addSpacing(4);

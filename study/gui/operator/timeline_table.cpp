@@ -41,15 +41,12 @@ QString stateNow(const SessionController& controller) {
 }  // namespace
 
 TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
-  setObjectName(QStringLiteral("timeline"));
   setAccessibleName(tr("Steps of the session"));
   setHorizontalHeaderLabels({tr("#"), tr("Step"), tr("Kind"), tr("Attempts"), tr("Status")});
-  horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   constexpr int kWideEnough = 130;  // [px] "to be repeated"
   setColumnWidth(4, kWideEnough);
-  verticalHeader()->hide();
   setSelectionMode(QAbstractItemView::NoSelection);
   makeReadOnly(*this);
   setFocusPolicy(Qt::NoFocus);

@@ -36,14 +36,13 @@ TrialPanel::TrialPanel(QWidget* parent)
     : QWidget(parent),
       steps_(new TimelineTable(this)),
       health_(new QLabel(this)),
-      cutCount_(bodyLabel({}, this)),
+      cutCount_(headingLabel({}, this)),
       numbers_(quietLabel({}, this)),
       boneColours_(new BoneColoursButton(this)),
       plot_(new LivePlot(this)),
       travel_(new TravelPlot(this)),
       servo_(new ServoPanel(this)),
       cuts_(new CutTable(this)) {
-  cutCount_->setProperty("role", QStringLiteral("heading"));
   cutCount_->setWordWrap(false);
   health_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   health_->setMinimumHeight(36);
@@ -60,8 +59,7 @@ TrialPanel::TrialPanel(QWidget* parent)
     widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   }
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = withoutMargins<QVBoxLayout>(this);
   layout->addWidget(steps_, 2);
   auto* numbers = new QHBoxLayout;
   numbers->addWidget(health_, 1);

@@ -241,10 +241,7 @@ void ParticipantWindow::readAgain() {
   readAgainPage_ = new QuestionnairePage(
       {.title = localized(instrument->title),
        .introduction = localized(instrument->introduction),
-       .items = {},
-       .choices = {},
-       .language = QString::fromStdString(session.language()),
-       .before = {}},
+       .language = QString::fromStdString(session.language())},
       this);
   page_->hide();
   place_->addWidget(readAgainPage_);
@@ -373,7 +370,6 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
       .title = localized(instrument->title),
       .introduction = localized(instrument->introduction),
       .items = session.items(),
-      .choices = {},
       .language = QString::fromStdString(session.language()),
       .before = session.answers()};
   if (session.step().kind == StepKind::Questionnaire) {

@@ -102,8 +102,7 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
   connect(ignoreTimer_, &QTimer::timeout, this, [this] {
     for (auto* sheet : sheets_) sheet->setAttribute(Qt::WA_TransparentForMouseEvents, false);
   });
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
+  auto* outer = withoutMargins<QVBoxLayout>(this);
   addContents(content);
   scroll_->setWidget(scrollContents_);
   outer->addWidget(scroll_);
@@ -149,8 +148,7 @@ void QuestionnairePage::addContents(const Content& content) {
 /// The terms of a consent, one below the other.
 QWidget* QuestionnairePage::makeTerms(const QString& introduction) {
   auto* head = new QWidget(scrollContents_);
-  auto* clauses = new QVBoxLayout(head);
-  clauses->setContentsMargins(0, 0, 0, 0);
+  auto* clauses = withoutMargins<QVBoxLayout>(head);
   constexpr int kBetweenClauses = 14;  // [px] at scale 1
   clauses->setSpacing(scaled(*this, kBetweenClauses));
   for (const auto& clause : clausesOf(introduction)) clauses->addWidget(clauseOf(clause));
@@ -160,12 +158,10 @@ QWidget* QuestionnairePage::makeTerms(const QString& introduction) {
 /// A text in lines of about 75 characters.
 QWidget* QuestionnairePage::makeTextInLines(const QString& markdown) {
   auto* part = new QWidget(scrollContents_);
-  auto* across = new QHBoxLayout(part);
-  across->setContentsMargins(0, 0, 0, 0);
+  auto* across = withoutMargins<QHBoxLayout>(part);
   auto* text = new QWidget(part);
   text->setProperty("role", QStringLiteral("lines"));
-  auto* lines = new QVBoxLayout(text);
-  lines->setContentsMargins(0, 0, 0, 0);
+  auto* lines = withoutMargins<QVBoxLayout>(text);
   lines->addWidget(textLabel(markdown, text));
   constexpr int kFirst = 1000;  // stretch, up to the width of the lines
   across->addWidget(text, kFirst);
@@ -182,9 +178,7 @@ QWidget* QuestionnairePage::makeText(const QString& introduction) {
 
 void QuestionnairePage::addSheet() {
   auto* sheet = new QWidget(scrollContents_);
-  auto* layout = new QVBoxLayout(sheet);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(scaled(*this, 14));
+  withoutMargins<QVBoxLayout>(sheet, scaled(*this, 14));
   place_->addWidget(sheet);
   if (!sheets_.empty()) sheet->hide();
   sheets_.push_back(sheet);

@@ -24,10 +24,10 @@ class QuestionnairePage final : public QWidget {
   struct Content {
     QString title;
     QString introduction;  ///< Markdown, see textLabel()
-    std::vector<questionnaires::Item> items;
-    ItemWidget::Choices choices;
+    std::vector<questionnaires::Item> items = {};
+    ItemWidget::Choices choices = {};
     QString language;
-    std::vector<GivenAnswer> before;  ///< answers given earlier
+    std::vector<GivenAnswer> before = {};  ///< answers given earlier
   };
 
   explicit QuestionnairePage(const Content& content, QWidget* parent = nullptr);

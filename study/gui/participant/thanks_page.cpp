@@ -31,8 +31,7 @@ QLabel* withRole(QLabel* label, const char* role) {
 }  // namespace
 
 ThanksPage::ThanksPage(const Content& content, QWidget* parent) : QWidget(parent) {
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
+  auto* outer = withoutMargins<QVBoxLayout>(this);
   auto* scroll = new PageScroll(this);
   auto* inside = new QWidget(scroll);
   auto* column = addColumn(*inside, ColumnWidth::Page, ColumnIn::Scroll);

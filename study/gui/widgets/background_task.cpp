@@ -25,8 +25,7 @@ BackgroundTask::BackgroundTask(
   setWindowTitle(title);
   setWindowModality(Qt::ApplicationModal);
   setMinimumWidth(520);
-  auto* heading = bodyLabel(title, this);
-  heading->setProperty("role", QStringLiteral("heading"));
+  auto* heading = headingLabel(title, this);
   words_->setMinimumHeight(48);
   words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   bar_->setRange(0, 0);

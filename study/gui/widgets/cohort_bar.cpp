@@ -15,8 +15,7 @@ CohortBar::CohortBar(const QString& title, int completed, int planned, QWidget* 
                             ? tr("%1: %2 of %3 completed").arg(title).arg(completed).arg(planned)
                             : tr("%1: %2 completed").arg(title).arg(completed);
   setProperty("role", QStringLiteral("plain"));
-  auto* lines = new QVBoxLayout(this);
-  lines->setContentsMargins(0, 0, 0, 0);
+  auto* lines = withoutMargins<QVBoxLayout>(this);
   lines->addWidget(bodyLabel(words, this));
   if (planned == 0) return;
   auto* bar = new QProgressBar(this);

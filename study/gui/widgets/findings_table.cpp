@@ -39,10 +39,8 @@ FindingsTable::FindingsTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   setSelectionMode(QAbstractItemView::NoSelection);
   setWordWrap(true);
   setTextElideMode(Qt::ElideNone);
-  verticalHeader()->hide();
   verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   auto* heads = horizontalHeader();
-  heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   heads->setSectionResizeMode(QHeaderView::ResizeToContents);
   heads->setSectionResizeMode(3, QHeaderView::Stretch);
   // A scroll bar that appears leaves the columns less room, and the rows then need more.

@@ -124,6 +124,9 @@ QLabel* bodyLabel(const QString& text, QWidget* parent) {
 QLabel* quietLabel(const QString& text, QWidget* parent) {
   return label(text, "quiet", parent);
 }
+QLabel* headingLabel(const QString& text, QWidget* parent) {
+  return label(text, "heading", parent);
+}
 QLabel* sectionLabel(const QString& text, QWidget* parent) {
   return label(text, "section", parent);
 }

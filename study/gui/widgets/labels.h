@@ -38,6 +38,8 @@ QLabel* titleLabel(const QString& text, QWidget* parent);
 QLabel* bodyLabel(const QString& text, QWidget* parent);
 QLabel* quietLabel(const QString& text, QWidget* parent);
 QLabel* hugeLabel(const QString& text, QWidget* parent);
+/// The heading of a window or of a column.
+QLabel* headingLabel(const QString& text, QWidget* parent);
 /// The heading of a part of a page.
 QLabel* sectionLabel(const QString& text, QWidget* parent);
 
@@ -52,6 +54,15 @@ enum class Mark { Good, Warning, Bad, None };
 QString signOf(Mark mark);
 /// Shows a state on a pale ground, with its sign before the words.
 void showMarked(QLabel& label, Mark mark, const QString& words);
+
+/// A layout of @p parent's whole area. Without @p spacing, that of the style.
+template <class Layout>
+Layout* withoutMargins(QWidget* parent = nullptr, int spacing = -1) {
+  auto* layout = new Layout(parent);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(spacing);
+  return layout;
+}
 
 /// Changes the style of a label ("good", "warn", "resting", "bad", "quiet", "heading") or a button
 /// ("main", "tool"; "": as other buttons).

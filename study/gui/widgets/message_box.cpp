@@ -86,8 +86,7 @@ QVBoxLayout* addBoxWords(
   constexpr int kWidth = 480;  // [px] of the words: about 55 characters
   auto* column = new QVBoxLayout;
   column->setSpacing(10);
-  auto* heading = bodyLabel(headline, &box);
-  heading->setProperty("role", QStringLiteral("heading"));
+  auto* heading = headingLabel(headline, &box);
   heading->setMinimumWidth(kWidth);
   column->addWidget(heading);
   for (const auto& paragraph : paragraphs) {

@@ -35,14 +35,15 @@ class WrappingDelegate final : public QStyledItemDelegate {
   }
 };
 
-/// Makes a table read-only with lines between its rows and headings at the left, and lets Tab move
-/// to the next control. In Qt's own tables Tab goes from cell to cell and never leaves (WCAG 2.1.2,
-/// no keyboard trap).
+/// Makes a table read-only with lines between its rows, headings at the left and no row numbers,
+/// and lets Tab move to the next control. In Qt's own tables Tab goes from cell to cell and never
+/// leaves (WCAG 2.1.2, no keyboard trap).
 inline void makeReadOnly(QTableWidget& table) {
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);
   table.setTabKeyNavigation(false);
   table.setShowGrid(false);
   table.horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table.verticalHeader()->hide();
   table.setItemDelegate(new WrappingDelegate(&table));
 }
 

@@ -55,7 +55,6 @@ ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent) {
   setTextElideMode(Qt::ElideNone);
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  verticalHeader()->hide();
 }
 
 void ResultTable::show(const DataTable& table) {

@@ -62,14 +62,11 @@ ResultView::ResultView(QWidget* parent)
     button->setProperty("role", QStringLiteral("tool"));
     buttons->addWidget(button);
   }
-  auto* inside = new QVBoxLayout(results_);
-  inside->setContentsMargins(0, 0, 0, 0);
+  auto* inside = withoutMargins<QVBoxLayout>(results_);
   inside->addLayout(buttons);
   inside->addWidget(cells_);
   results_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(10);
+  auto* layout = withoutMargins<QVBoxLayout>(this, 10);
   layout->addWidget(finding_);
   layout->addWidget(more_);
   layout->addWidget(results_);

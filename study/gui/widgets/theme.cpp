@@ -35,7 +35,6 @@ QLabel[role="text"] { font-size: 17px; }
 QLabel[role="statement"] { font-size: 20px; }
 QLabel[role="quiet"] { color: @quiet; }
 QLabel[role="anchor"] { font-size: 16px; }
-QLabel[role="name"] { font-size: 40px; font-weight: 600; }
 QLabel[role="key"] { font-size: 20px; font-weight: 600; }
 QLabel[role="code"] { font-size: 36px; font-weight: 600; }
 QLabel[role="step"] { color: @link; font-size: 20px; font-weight: 600; }
@@ -57,7 +56,7 @@ QLabel[role="mark-bad"], QFrame[role="card"] QLabel[role="mark-bad"] { color: @b
 QLabel[role="finding"] { font-size: 18px; font-weight: 600; }
 QPushButton { color: @field.text; background: @field; border: 2px solid @border; border-radius: 8px;
               padding: 6px 16px; min-height: 24px; }
-QPushButton, QCheckBox, QRadioButton { outline: none; }
+QPushButton, QCheckBox { outline: none; }
 QPushButton:hover { border-color: @accent; }
 QPushButton:focus { border: 3px solid @focus; }
 QPushButton:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
@@ -127,7 +126,7 @@ QComboBox QAbstractItemView { color: @field.text; background: @field; border: 1p
                               selection-color: @selection.text; selection-background-color: @selection; }
 QComboBox QAbstractItemView::item { min-height: 28px; }
 QComboBox QAbstractItemView::item:selected { color: @selection.text; background: @selection; }
-QCheckBox:focus, QRadioButton:focus { border: 2px solid @focus; border-radius: 4px; }
+QCheckBox:focus { border: 2px solid @focus; border-radius: 4px; }
 QCheckBox:disabled { color: @disabled.text; background: @disabled; }
 QProgressBar { border: none; background: @line; border-radius: 4px; max-height: 8px; }
 QProgressBar::chunk { background: @accent; border-radius: 4px; }
@@ -187,9 +186,6 @@ QMenu::item:disabled { color: @disabled.text; }
 QMenu::separator { height: 1px; background: @line; margin: 4px 8px; }
 QToolTip { color: @field.text; background: @field; border: 1px solid @border; padding: 4px; }
 QSplitter::handle { background: @line; }
-QGroupBox { font-weight: 600; border: 1px solid @line; border-radius: 8px; margin-top: 12px;
-            padding-top: 10px; }
-QGroupBox::title { subcontrol-origin: margin; left: 10px; }
 )css";
 
 ThemeName& applicationTheme() noexcept {

@@ -32,8 +32,6 @@ void showWrittenFileMessage(QWidget* parent, const QString& path, const QString&
 WrittenFile::WrittenFile(QWidget* parent) : QWidget(parent) {
   auto* open = new QPushButton(tr("Open"), this);
   auto* folder = new QPushButton(tr("Show in folder"), this);
-  open->setObjectName(QStringLiteral("open-written"));
-  folder->setObjectName(QStringLiteral("show-in-folder"));
   for (auto* button : {open, folder}) {
     button->setAutoDefault(false);
     button->setProperty("role", QStringLiteral("tool"));

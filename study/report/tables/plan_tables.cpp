@@ -125,10 +125,7 @@ class PlanWriter {
 
   DataTable& add(std::string name, std::string title, std::vector<Heading> headings) {
     return tables_.emplace_back(DataTable{
-        .name = std::move(name),
-        .description = std::move(title),
-        .columns = std::move(headings),
-        .rows = {}});
+        .name = std::move(name), .description = std::move(title), .columns = std::move(headings)});
   }
 
   void power(const FamilyPlan& family) {

@@ -68,11 +68,7 @@ std::string orNothing(const std::optional<analysis::Interval>& interval) {
 
 /// @param title  shown above the table
 DataTable tableOf(std::string name, std::string title, std::vector<Heading> headings) {
-  return {
-      .name = std::move(name),
-      .description = std::move(title),
-      .columns = std::move(headings),
-      .rows = {}};
+  return {.name = std::move(name), .description = std::move(title), .columns = std::move(headings)};
 }
 
 class TablesWriter {

@@ -40,23 +40,12 @@ QMatrix4x4 punchPose(const KneeLayout& layout) {
   const QVector3D across = QVector3D::crossProduct(along, {0, 1, 0}).normalized();
   const QVector3D up = QVector3D::crossProduct(across, along);
   const QVector3D hinge = punchMouth(layout) - kReach * along;
-  return {
-      along.x(),
-      up.x(),
-      across.x(),
-      hinge.x(),  //
-      along.y(),
-      up.y(),
-      across.y(),
-      hinge.y(),  //
-      along.z(),
-      up.z(),
-      across.z(),
-      hinge.z(),  //
-      0.0F,
-      0.0F,
-      0.0F,
-      1.0F};
+  QMatrix4x4 pose;
+  pose.setColumn(0, {along, 0.0F});
+  pose.setColumn(1, {up, 0.0F});
+  pose.setColumn(2, {across, 0.0F});
+  pose.setColumn(3, {hinge, 1.0F});
+  return pose;
 }
 
 namespace {
