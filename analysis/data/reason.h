@@ -95,7 +95,7 @@ inline constexpr auto kReasons = std::to_array<base::MessageKind>({
     {"one_block", "one block alone cannot show F, nor how far blocks agree"},
     {"one_degree_of_freedom", "one degree of freedom is too few for the correction of d"},
     {"one_level", "'{}' has one level only: there is nothing to compare"},
-    {"one_pair", "there is one pair only, and the test needs two"},
+    {"one_pair", "a comparison needs two pairs of values, and has one"},
     {"one_position_each",
      "every method came at one position only: order and method cannot be told apart"},
     {"one_random_level", "'{}' has one level only: how its levels vary cannot be estimated"},

@@ -3,6 +3,7 @@
 
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
+#include "study/results/answer_tables.h"
 #include "study/results/apa_text.h"
 
 namespace study::report {
@@ -27,8 +28,12 @@ class AnswerWriter : HtmlWriter {
     const auto see = family == nullptr || mainSvg(*family).empty()
                          ? withReferences("The answer: {}", {"answer"})
                          : withReferences("The answer: {} and {}", {"answer-figure", "answer"});
+    const auto untested =
+        family == nullptr || mainSvg(*family).empty()
+            ? withReferences("What was answered: {}", {"answer"})
+            : withReferences("What was answered: {} and {}", {"answer-figure", "answer"});
     const auto nothingYet = say("The answer");
-    put("<h3>{}</h3>", family == nullptr ? nothingYet : see);
+    put("<h3>{}</h3>", family == nullptr ? nothingYet : isAnyTested() ? see : untested);
     if (family == nullptr) {
       paragraph("Nothing can be compared yet: no completed session has answers to compare.");
     } else {
@@ -60,8 +65,27 @@ class AnswerWriter : HtmlWriter {
   void sentences() {
     forEachAnswered([&](const auto& family, const auto& part) {
       const auto text = sentenceOf(family, part);
-      put("<p>{}: {}</p>", cohortLabelOf(family, part), text);
+      put("<p>{}: {}{}</p>", cohortLabelOf(family, part), meansInWords(family, part), text);
     });
+  }
+
+  /// "Interpolation 3.44, KF 3.13, FEM 2.41 on average; ", the highest first, or only of the
+  /// alternative that the sentences are about; empty if nothing is tested.
+  std::string meansInWords(const FamilyResult& family, const CohortResult& part) const {
+    if (!isAnyDefined(family, part)) return {};
+    std::vector<std::pair<double, std::string>> all;
+    const auto methods = conditionsOf(section_.protocol, family.family);
+    const auto mainAlternative = mainAlternativeOf(section_, family);
+    for (const auto& id : methods) {
+      if (!mainAlternative.empty() && id != mainAlternative) continue;
+      if (const auto mean = meanOf(family, part, id, methods)) all.emplace_back(-*mean, id);
+    }
+    std::ranges::stable_sort(all, {}, [](const auto& one) { return one.first; });
+    std::string text;
+    for (const auto& [mean, id] : all) {
+      text += (text.empty() ? "" : ", ") + condition(id) + " " + rounded(-mean, 2);
+    }
+    return text.empty() ? text : text + " " + say("on average") + "; ";
   }
 
   /// Writes the main weakness of pooled tests next to their p values.
@@ -108,9 +132,7 @@ class AnswerWriter : HtmlWriter {
       subject = higherMethodOf(row);
     }
     const auto none = say("no difference is significant.");
-    const auto corrected = say("no difference is significant after correction.");
-    const bool isCorrected = !nameOf(family.family.correction).empty();
-    if (areAllInDoubt) text = (isCorrected ? corrected : none) + " " + text;
+    if (areAllInDoubt) text = none + " " + text;
     if (text.empty() && untested != all.end()) return notTestedInWords(*untested);
     return text + ".";
   }
@@ -145,9 +167,6 @@ class AnswerWriter : HtmlWriter {
                     100.0 * (1.0 - family.family.alpha),
                     formatInterval(interval, section_.wording, section_.words)) +
                 ", ";
-    }
-    if (const auto& effect = row.difference->effect; effect.value) {
-      numbers += fmt::format("{} = {}, ", effect.name, rounded(sign * *effect.value, 2));
     }
     numbers += formatP(family, *row.test);
     if (family.isNamed("welch")) numbers += "; " + withinPeople(family, *row.withinPeople, sign);
@@ -353,31 +372,38 @@ class AnswerWriter : HtmlWriter {
          isBold(family, comparison) ? "<strong>" + p + "</strong>" : p});
   }
 
-  /// "Interpolation (4.25) vs. FEM (2.81)": the means that the declared test compares, of all
-  /// answers or of the means of the participants who judged both methods.
+  /// "Interpolation (4.25) vs. FEM (2.81)", see meanOf().
   std::string withMeans(
       const FamilyResult& family,
       const CohortResult& part,
       const std::string& first,
       const std::string& second) const {
-    const auto& methods = part.table.methods;
-    const auto placeOf = [&](const std::string& id) {
-      return static_cast<std::size_t>(std::ranges::find(methods, id) - methods.begin());
+    const auto named = [&](const std::string& id) {
+      const auto mean = meanOf(family, part, id, {first, second});
+      return condition(id) + (mean ? " (" + rounded(*mean, 2) + ")" : std::string());
     };
-    const std::vector<std::size_t> places{placeOf(first), placeOf(second)};
-    const bool isOfPeople = !family.isNamed("welch") && std::ranges::max(places) < methods.size();
-    const auto people = isOfPeople ? analysis::completeCaseMeans(part.table, places)
-                                   : analysis::CompleteCaseMeans();
-    const auto meanOf = [&](const std::string& id, std::size_t place) -> std::optional<double> {
-      if (isOfPeople) return analysis::summarise(people.of(place)).mean;
-      const auto one = std::ranges::find(part.conditions, id, &analysis::NamedSample::name);
-      return one == part.conditions.end() ? std::nullopt : one->answers.mean();
-    };
-    const auto named = [&](const std::string& id, std::size_t place) {
-      const auto mean = meanOf(id, place);
-      return condition(id) + (mean ? " (" + rounded(mean, 2) + ")" : std::string());
-    };
-    return named(first, 0) + " vs. " + named(second, 1);
+    return named(first) + " vs. " + named(second);
+  }
+
+  /// The mean of a method that the declared test compares: of all answers, or of the means of the
+  /// participants who judged all of @p methods.
+  static std::optional<double> meanOf(
+      const FamilyResult& family,
+      const CohortResult& part,
+      const std::string& id,
+      const std::vector<std::string>& methods) {
+    std::vector<std::size_t> places;
+    for (const auto& method : methods) {
+      const auto place = std::ranges::find(part.table.methods, method);
+      places.push_back(static_cast<std::size_t>(place - part.table.methods.begin()));
+    }
+    if (!family.isNamed("welch") && std::ranges::max(places) < part.table.methods.size()) {
+      const auto place = std::ranges::find(methods, id) - methods.begin();
+      const auto people = analysis::completeCaseMeans(part.table, places);
+      return analysis::summarise(people.of(static_cast<std::size_t>(place))).mean;
+    }
+    const auto one = std::ranges::find(part.conditions, id, &analysis::NamedSample::name);
+    return one == part.conditions.end() ? std::nullopt : one->answers.mean();
   }
 
   void means() {

@@ -141,6 +141,9 @@ class LimitationsWriter : HtmlWriter {
     if (const auto unconfirmed = notConfirmed(false); !unconfirmed.empty()) {
       explain(say("Significant by the declared test only"), unconfirmed + ".");
     }
+    if (const auto others = foundByOthers(); !others.empty()) {
+      explain(say("Significant by other tests only"), others + ".");
+    }
     if (const auto chance = families(false); !chance.empty()) {
       explain(say("Corrections within each family and cohort"), chance + ".");
     }
@@ -280,6 +283,44 @@ class LimitationsWriter : HtmlWriter {
     if (alone.empty()) return {};
     return isBrief && alone.size() > kFew ? sentence
                                           : sentence + ": " + listed(alone, section_.words);
+  }
+
+  /// Which differences tests within people find that were not declared, and the declared one does
+  /// not; empty if none.
+  std::string foundByOthers() const {
+    std::vector<std::string> all;
+    for (const auto& family : section_.results.families) {
+      if (!family.isDeclared || isPooled(Profile::Declared, family.family)) continue;
+      const auto declared = study::idOf(family.family.test);
+      for (const auto& part : family.cohorts) {
+        for (const auto& row : part.within.rows) {
+          if (!row.test(declared).p || row.test(declared).isSignificant.value_or(false)) continue;
+          std::string tests;
+          for (const auto& test : row.tests) {
+            if (!test.isInFamily || !test.isSignificant.value_or(false)) continue;
+            tests += (tests.empty() ? "" : ", ") + section_.words(shortNameOf(test.id)) + " " +
+                     formatPWithSymbol(
+                         test.adjusted ? test.adjusted : test.p,
+                         test.adjusted ? nameOf(family.family.correction) : std::string_view(),
+                         section_.wording);
+          }
+          if (!tests.empty()) all.push_back(withSubscripts(differenceIn(part, row) + tests + ")"));
+        }
+      }
+    }
+    if (all.empty()) return {};
+    const auto sentence = count(
+        all.size(),
+        "{} difference is significant only by tests that were not declared (exploratory)",
+        "{} differences are significant only by tests that were not declared (exploratory)");
+    return sentence + ": " + listed(all, section_.words);
+  }
+
+  /// "KF − FEM (Surgeons: ": a difference, and who differed.
+  std::string differenceIn(const CohortResult& part, const analysis::WithinComparison& row) const {
+    return escaped(
+        section_.conditionTitle(row.group1) + " − " + section_.conditionTitle(row.group2) + " (" +
+        section_.cohortTitle(part.cohort) + ": ");
   }
 
   /// "KF − FEM (Surgeons: p_Holm = .047; exact .060 and .066)"

@@ -33,9 +33,9 @@ class HeadWriter : HtmlWriter {
     const auto& family = result.family;
     std::vector<std::string> compared;
     for (const auto& id : conditionsOf(section_.protocol, family)) {
-      // of several participants the verdict above has introduced them
-      const bool isFirst = section_.results.completed() == 1;
-      compared.push_back(isFirst ? section_.introducedTitle(id) : section_.conditionTitle(id));
+      const auto introduced = section_.introducedTitle(id);
+      const bool isFirst = verdictOf(section_).find(introduced) == std::string::npos;
+      compared.push_back(isFirst ? introduced : section_.conditionTitle(id));
     }
     const auto judged = whatIsCompared(family);
     const auto plan = say(
@@ -50,8 +50,8 @@ class HeadWriter : HtmlWriter {
     put("<p>{}{}</p>", plan, judged.empty() ? judged : " " + judged);
   }
 
-  /// "Compared are the answers to 6 questions (3 reversed) in round 1 and round 2."; without the
-  /// round if there is only one; empty for a score.
+  /// "Compared are the answers to 6 questions (3 reversed) in round 1 and round 2; scale from 1 to
+  /// 5."; without the round if there is only one; empty for a score.
   std::string whatIsCompared(const protocols::Family& family) const {
     const auto instrument =
         std::ranges::find(section_.instruments, family.instrument, &questionnaires::Instrument::id);
@@ -73,16 +73,17 @@ class HeadWriter : HtmlWriter {
     if (items.empty() || blocks.empty()) return {};
     const auto ofOneRound = count(
         items.size(),
-        "Compared are the answers to {} question ({} reversed).",
-        "Compared are the answers to {} questions ({} reversed).",
+        "Compared are the answers to {} question ({} reversed)",
+        "Compared are the answers to {} questions ({} reversed)",
         reversed);
     const auto ofRounds = count(
         items.size(),
-        "Compared are the answers to {} question ({} reversed) in {}.",
-        "Compared are the answers to {} questions ({} reversed) in {}.",
+        "Compared are the answers to {} question ({} reversed) in {}",
+        "Compared are the answers to {} questions ({} reversed) in {}",
         reversed,
         listed(blocks, section_.words));
-    return blocks.size() > 1 ? ofRounds : ofOneRound;
+    const auto scale = escaped(withCurlyQuotes(scaleInWords(section_, family)));
+    return (blocks.size() > 1 ? ofRounds : ofOneRound) + (scale.empty() ? "" : "; " + scale) + ".";
   }
 
   /// One banner for all that a reader must know before any number.

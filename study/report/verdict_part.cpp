@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -132,22 +133,27 @@ class VerdictWriter {
                             : words_.say("{} people × {} rounds", people, most.rounds);
     const auto asked = questionIn(most.phase);
     const auto title = section_.introducedTitle(most.condition);
-    const auto chosen = words_.say(
-        "{} participants named {} most often: {} of {} votes ({}; exploratory).",
-        people,
+    const auto counted = words_.say(
+        "{} was named most often: {} of {} votes ({}; exploratory{}).",
         title,
         most.votes,
         most.total,
-        origin);
-    const auto answered = words_.say(
-        "Asked “{}”, {} participants named {} most often: {} of {} votes ({}; exploratory).",
-        asked == nullptr ? std::string() : questionOf(*asked, words_.language()),
-        people,
-        title,
-        most.votes,
-        most.total,
-        origin);
-    return asked == nullptr ? chosen : answered;
+        origin,
+        isAnyVoteSignificant() ? std::string() : "; " + words_("not significant"));
+    return asked == nullptr
+               ? counted
+               : words_.say("“{}”", questionOf(*asked, words_.language())) + " " + counted;
+  }
+
+  /// Whether votes of a cohort in a round differ significantly from equal shares, or none is
+  /// tested.
+  bool isAnyVoteSignificant() const {
+    constexpr double kAlpha = 0.05;
+    const auto& all = section_.results.votes;
+    const auto isTested = [](const auto& vote) { return vote.test.exactP.has_value(); };
+    return std::ranges::none_of(all, isTested) || std::ranges::any_of(all, [](const auto& vote) {
+             return vote.test.exactP.value_or(1.0) <= kAlpha;
+           });
   }
 
   /// The question of a preference; nullptr if its instrument has none about alternatives.
@@ -210,7 +216,10 @@ class VerdictWriter {
               listed(one.differences, words_)));
     }
     if (!mixed.empty()) sentences.push_back(untested);
-    if (!alike.empty()) {
+    if (!alike.empty() && isNothingSignificant(family)) {
+      sentences.push_back(nothingSignificant(family));
+      if (isHighestInEach(family)) sentences.push_back(highest(family));
+    } else if (!alike.empty()) {
       sentences.push_back(sentenceOn(kAlike, alike, inAny, false));
       sentences.push_back(sizesOf(alike));
     }
@@ -258,6 +267,96 @@ class VerdictWriter {
            within.estimate.value.value_or(0.0) * difference > 0.0;
   }
 
+  /// The declared comparisons of a family that were tested, in all cohorts.
+  static std::vector<Declared> testedIn(const FamilyResult& family) {
+    std::vector<Declared> all;
+    for (const auto& part : family.cohorts) {
+      for (const auto& row : declaredIn(family, part)) {
+        if (row.isDefined()) all.push_back(row);
+      }
+    }
+    return all;
+  }
+
+  static bool isNothingSignificant(const FamilyResult& family) {
+    return std::ranges::none_of(
+        testedIn(family), [](const auto& row) { return row.test->isSignificant.value_or(false); });
+  }
+
+  static bool isTested(const FamilyResult& family, const CohortResult& part) {
+    return std::ranges::any_of(declaredIn(family, part), &Declared::isDefined);
+  }
+
+  /// What was not found, how large the differences are, and of how many people.
+  std::string nothingSignificant(const FamilyResult& family) const {
+    std::vector<double> points;
+    for (const auto& row : testedIn(family)) {
+      points.push_back(std::abs(*row.difference->estimate.value));
+    }
+    const auto [least, most] = std::ranges::minmax(points);
+    const auto cohorts = std::ranges::count_if(
+        family.cohorts, [&](const auto& part) { return isTested(family, part); });
+    const auto where = cohorts > 1 ? " " + words_("in any cohort") : std::string();
+    const auto who = peopleIn(family);
+    const auto least2 = rounded(least, 2);
+    const auto most2 = rounded(most, 2);
+    return words_.count(
+        family.family.comparisons.size(),
+        "By the declared test ({1}), the difference ({2} to {3} points) was not significant{4} "
+        "({5}). That does not show that both are alike.",
+        "By the declared test ({1}), none of the {0} differences ({2} to {3} points) was "
+        "significant{4} ({5}). That does not show that they are alike.",
+        test_,
+        least2,
+        most2,
+        where,
+        who);
+  }
+
+  /// "4 people each, 8 planned": of the cohorts that were tested.
+  std::string peopleIn(const FamilyResult& family) const {
+    std::set<std::size_t> counts;
+    std::set<std::size_t> planned;
+    std::size_t cohorts = 0;
+    for (const auto& part : family.cohorts) {
+      if (!isTested(family, part)) continue;
+      ++cohorts;
+      counts.insert(part.table.participants.size());
+      const auto* cohort = section_.protocol.cohort(part.cohort);
+      planned.insert(cohort == nullptr ? 0U : static_cast<std::size_t>(cohort->planned));
+    }
+    const auto alone = words_.say("{} people", *counts.rbegin());
+    const auto same = words_.say("{} people each", *counts.rbegin());
+    const auto range = words_.say("{} to {} people each", *counts.begin(), *counts.rbegin());
+    const auto ofPlan = ", " + words_.say("{} planned", *planned.rbegin());
+    const bool isFewer = planned.size() == 1 && *planned.begin() > *counts.rbegin();
+    return (cohorts == 1         ? alone
+            : counts.size() == 1 ? same
+                                 : range) +
+           (isFewer ? ofPlan : std::string());
+  }
+
+  /// Whether the best alternative has the highest mean of answers in each cohort that was tested.
+  bool isHighestInEach(const FamilyResult& family) const {
+    return std::ranges::all_of(family.cohorts, [&](const auto& part) {
+      const auto own = std::ranges::find(part.conditions, best_, &analysis::NamedSample::name);
+      if (!isTested(family, part)) return true;
+      return own != part.conditions.end() &&
+             std::ranges::none_of(part.conditions, [&](const auto& other) {
+               return other.answers.mean() > own->answers.mean();
+             });
+    });
+  }
+
+  std::string highest(const FamilyResult& family) const {
+    const auto& title = section_.introducedTitle(best_);
+    const bool isOfSeveral = std::ranges::count_if(family.cohorts, [&](const auto& part) {
+                               return isTested(family, part);
+                             }) > 1;
+    return isOfSeveral ? words_.say("{} was rated highest in each cohort.", title)
+                       : words_.say("{} was rated highest.", title);
+  }
+
   /// What differences that are not significant do not show.
   std::string sizesOf(const std::vector<Outcome>& outcomes) const {
     std::vector<double> points;
@@ -266,7 +365,8 @@ class VerdictWriter {
     }
     const auto [least, most] = std::ranges::minmax(points);
     return words_.say(
-        "Differences of {} to {} points, n ≤ {}, prove no likeness.",
+        "This does not show that they are alike: they differ by {} to {} points, and no cohort has "
+        "more than {} people.",
         rounded(least, 2),
         rounded(most, 2),
         mostPeople_);
