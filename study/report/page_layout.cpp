@@ -106,9 +106,13 @@ std::optional<int> divisionOf(const QTextDocument& document, const QTextTable& t
   int group = std::min(first, table.rows() - kLastRows);
   while (group > kFirstRows - 2 && !spansColumns(table, group)) --group;
   if (group >= kFirstRows - 1) return group;
-  const bool hasGroups = spansColumns(table, first - 1) || spansColumns(table, group);
-  if (first < kFirstRows || table.rows() - first < kLastRows || hasGroups) return std::nullopt;
-  return first;
+  int begin = first;  // of the group that the page divides
+  while (begin > 1 && !spansColumns(table, begin)) --begin;
+  int end = first;
+  while (end < table.rows() && !spansColumns(table, end)) ++end;
+  const bool isInGroup = spansColumns(table, begin);
+  const int above = isInGroup ? first - begin : first - kFirstRows + kLastRows;
+  return above < kLastRows || end - first < kLastRows ? std::nullopt : std::optional(first);
 }
 
 /// Copies a cell with its format and text.
@@ -238,7 +242,10 @@ double edgeAbove(const QTextTable& table, int row) {
       kRuleMargin * table.document()->documentLayout()->paintDevice()->logicalDpiY() / 96.0;
   if (row == 0) return textExtentOf(table, 0).first - margin;
   const double above = textExtentOf(table, row - 1).second;
-  return row == table.rows() ? above + margin : 0.5 * (above + textExtentOf(table, row).first);
+  if (row < table.rows()) return 0.5 * (above + textExtentOf(table, row).first);
+  // the rule below the last row stays on its page
+  const double page = table.document()->pageSize().height();
+  return std::min(above + margin, (std::floor((above - kSlack) / page) + 1.0) * page - margin);
 }
 
 std::vector<Item> itemsOf(const QTextDocument& document) {

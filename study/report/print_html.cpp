@@ -175,8 +175,25 @@ void keepIntervalsOnOneLine(std::string& html) {
   }
 }
 
+/// Prevents line breaks within "500 N/s", "F(3, 9)", "107–128", "round 1", "(0 to 100)".
+void keepNumbersTogether(std::string& html) {
+  static const std::regex kBeforeUnit("([0-9]) (N|s|mm|µs)(?=[ ,.;:)/·])");
+  static const std::regex kWithinUnit("(N|N·m|mm)/s(?![a-z])");
+  static const std::regex kDegrees("([A-Zt]\\([0-9.]+), (?=[0-9.]+\\))");
+  static const std::regex kPages("([0-9])–(?=[0-9])");
+  static const std::regex kRound("(round|Runde|runde) (?=[0-9])");
+  static const std::regex kRange("\\(([−0-9.]+) to ([0-9.]+)\\)");
+  html = std::regex_replace(html, kBeforeUnit, "$1&nbsp;$2");
+  html = std::regex_replace(html, kWithinUnit, "$1/&#8288;s");
+  html = std::regex_replace(html, kDegrees, "$1,&nbsp;");
+  html = std::regex_replace(html, kPages, "$1–&#8288;");
+  html = std::regex_replace(html, kRound, "$1&nbsp;");
+  html = std::regex_replace(html, kRange, "($1&nbsp;to&nbsp;$2)");
+}
+
 /// Prevents line breaks within "p = .021", "[0.41, 2.42]", "95 %". Long codes may break anywhere.
 void preventLineBreaks(std::string& html) {
+  keepNumbersTogether(html);
   for (const std::string_view sign : {"=", "&lt;", "&gt;"}) {
     replaceAll(html, " " + std::string(sign) + " ", "&nbsp;" + std::string(sign) + "&nbsp;");
   }

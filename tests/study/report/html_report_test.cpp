@@ -310,6 +310,12 @@ TEST(PrintHtml, BreaksNoValueAcrossLines) {
   EXPECT_TRUE(
       has(page.html, "t(5)&nbsp;=&nbsp;2.77, p&nbsp;&lt;&nbsp;.&#8288;001 [0.07,&nbsp;1.98]"))
       << page.html;
+  const auto numbers = toPrintHtml("<p>500 N/s, F(3, 9) = 2, 107–128, round 1, (0 to 100)</p>");
+  EXPECT_TRUE(
+      has(numbers.html,
+          "500&nbsp;N/&#8288;s, F(3,&nbsp;9)&nbsp;=&nbsp;2, 107–&#8288;128, round&nbsp;1, "
+          "(0&nbsp;to&nbsp;100)"))
+      << numbers.html;
   EXPECT_TRUE(has(page.html, "95&nbsp;%"));
   EXPECT_TRUE(has(page.html, "95&#8209;%&#8209;KI"));
   EXPECT_TRUE(has(page.html, "<code>01234567&#8203;89abcdef&#8203;01</code>")) << page.html;
