@@ -423,7 +423,7 @@ constexpr std::array kTests{
     StatisticalTest{"fisher_exact", "Fisher's exact test", "Do two sortings of the same cases have to do with each other?", "Fisher 1935, Freeman & Halton 1951", Shape::Categories, fisher},
     StatisticalTest{"mcnemar", "McNemar's test", "Do people change from one of two options as often as to it? Exact", "McNemar 1947", Shape::BeforeAfter, mcNemar},
     StatisticalTest{"stuart_maxwell", "Stuart and Maxwell's test", "Are options chosen as often the second time as the first?", "Stuart 1955, Maxwell 1970", Shape::BeforeAfter, stuartMaxwell},
-    StatisticalTest{"equal_shares", "Exact multinomial test of equal shares", "Are options preferred equally often?", "Pearson 1900", Shape::Votes, equalShares},
+    StatisticalTest{"equal_shares", "Exact multinomial test of equal shares", "Are options preferred equally often?", "Tate & Hyer 1973", Shape::Votes, equalShares},
     StatisticalTest{"cluster_robust", "Cluster-robust t-tests (CR2)", "Do groups differ in their mean, if values of a cluster go together?", "Bell & McCaffrey 2002", Shape::Clusters, clusterRobustRows, Use::None, kEachPair},
     StatisticalTest{"mixed_model", "Linear mixed model", "The same with random intercepts of clusters", "Bates et al. 2015, Kuznetsova et al. 2017", Shape::Clusters, mixedModel, Use::None, kEachPair},
     StatisticalTest{"ordinal_model", "Cumulative link mixed model", "The same of ordered answers, as odds ratios", "Christensen 2022", Shape::Clusters, ordinalModel, Use::None, kEachPair, kFewestPeople},

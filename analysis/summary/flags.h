@@ -70,8 +70,7 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"n_below_minimum_for_alpha.remedy",
      "More participants (palpate plan says how many), fewer comparisons, or an overall test "
      "(Friedman) first."},
-    {"n_below_minimum_for_alpha.title",
-     "Too few participants for an exact test to be significant"},
+    {"n_below_minimum_for_alpha.title", "Too few participants for an exact test to be significant"},
     {"n_below_minimum_for_alpha.why",
      "Such a test cannot be significant, whatever the answers are. A t-test can, but takes "
      "differences as normal, which so few people cannot show."},

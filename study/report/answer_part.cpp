@@ -322,7 +322,9 @@ class AnswerWriter : HtmlWriter {
     const bool isCorrected = std::ranges::any_of(section_.results.families, [](const auto& family) {
       return !nameOf(family.family.correction).empty();
     });
-    const auto order = say("The method with the higher mean over all cohorts comes first.");
+    const auto order =
+        say("The method with the higher mean over all cohorts comes first. Differences are taken "
+            "before rounding.");
     const auto standardised = withSubscripts(say(
         "{} is the mean difference over the SD of the differences, corrected for small samples.",
         "g_z"));

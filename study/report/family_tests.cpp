@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "analysis/effects/bayes_factor.h"
 #include "analysis/registry/registry.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
@@ -123,7 +124,10 @@ class TestsWriter : HtmlWriter {
       for (const auto& comparison : part.within.rows) difference(comparison, areDifferencesShown);
     }
     endTable();
-    const auto bayes = say("BF: Bayes factor of a difference against none.");
+    const auto bayes = say(
+        "BF: Bayes factor of a difference against none, of which the prior is Cauchy’s with scale "
+        "{:.3f}.",
+        analysis::kMediumPriorScale);
     const auto odds = say("Odds ratio: of higher answers, by the ordinal mixed model.");
     put("<p class=\"note\">{}{}</p>",
         areDifferencesShown ? withReferences("The differences are in {}.", {"answer"}) + " "
@@ -142,7 +146,7 @@ class TestsWriter : HtmlWriter {
       headings.push_back(say(shortNameOf(test.id)) + (result_.isNamed(test.id) ? " *" : ""));
     }
     headings.push_back(say("Equivalence"));
-    headings.push_back(kW);
+    headings.push_back(say("Shapiro–Wilk") + " " + kW);
     table(
         correction.empty()
             ? say("Tests of these differences: p without correction")
@@ -178,8 +182,8 @@ class TestsWriter : HtmlWriter {
             : hasBold_          ? "* the declared test; bold: its adjusted p ≤ α."
                                 : "* the declared test; none of its adjusted p is ≤ α.");
     const auto normality = say(
-        "W: Shapiro and Wilk’s, of the differences, with p in brackets. The paired t-test takes "
-        "them as normal; no test is chosen by W.");
+        "Shapiro–Wilk W: of the differences, with p in brackets. The paired t-test takes them as "
+        "normal; no test is chosen by W.");
     add(bound.has_value(), within);
     add(!result_.isNamed("welch"), marked);
     add(hasW, normality);
@@ -234,6 +238,7 @@ class TestsWriter : HtmlWriter {
             "the larger values"),
         headings);
     std::string last;
+    bool isAnyApart = false;  // an interval of δ and the exact p
     for (const auto& b : result_.between) {
       if (!isTestedPair(b)) continue;
       const std::string pair = cohort(b.cohort1) + " vs. " + cohort(b.cohort2);
@@ -250,8 +255,18 @@ class TestsWriter : HtmlWriter {
           cellOf(ranks.effectInterval)};
       for (const auto* test : otherTestsOf(b)) cells.push_back(cellOfP(test->p));
       row(cells);
+      const auto& interval = ranks.effectInterval;
+      isAnyApart = isAnyApart || (interval && interval->low * interval->high > 0.0 &&
+                                  ranks.p.value_or(0.0) > result_.family.alpha);
     }
     endTable();
+    if (isAnyApart) {
+      note(
+          "Intervals of δ are approximate: one may leave out 0 where the exact p is above {}. "
+          "Neither "
+          "is corrected for the number of comparisons.",
+          exactDecimal(result_.family.alpha));
+    }
   }
 
   /// Tests between cohorts that have no column of their own.

@@ -63,7 +63,9 @@ class ItemsWriter : HtmlWriter {
     if (!section_.hasQuotes) return {};
     const auto& all = section_.results.answers.quotes;
     const auto alike =
-        say("All {} texts are “{}”.", all.size(), all.empty() ? std::string() : all.front().text);
+        say("Each of the {} texts is only “{}”.",
+            all.size(),
+            all.empty() ? std::string() : all.front().text);
     if (areAlike(all)) return "<p>" + alike + "</p>\n";
     for (const auto& instrument : section_.instruments) writeQuotes(instrument, false);
     const auto own = std::exchange(html_, {});

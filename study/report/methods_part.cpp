@@ -129,7 +129,7 @@ class MethodsWriter : HtmlWriter {
       const auto force =
           section_.words.say("{:g} N and {:g} N/s", device.maxForce, device.maxForceRate);
       const auto both = section_.words.say(
-          "{:g} N and {:g} N/s, {:g} N·m and {:g} N·m/s",
+          "{:g} N and {:g} N/s, torques about it to {:g} N·m and {:g} N·m/s",
           device.maxForce,
           device.maxForceRate,
           device.maxTorque,

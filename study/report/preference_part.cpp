@@ -16,8 +16,9 @@ class PreferenceWriter : HtmlWriter {
     if (section_.results.votes.empty()) return {};
     const auto tables = voteTables(section_.results);
     for (const auto& one : tables) putVoteTable(one);
-    const auto exact =
-        say("Exact multinomial test of equal shares, for each round by itself (exploratory).");
+    const auto exact = say(
+        "Exact multinomial test of equal shares, for each round by itself (exploratory): p is the "
+        "probability of all outcomes that are no more probable than the one observed.");
     const bool isTested = std::ranges::any_of(
         section_.results.votes, [](const auto& vote) { return vote.test.exactP.has_value(); });
     if (isTested) put("<p class=\"note\">{}</p>", exact);

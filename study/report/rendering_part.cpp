@@ -70,7 +70,9 @@ class RenderingWriter : HtmlWriter {
     table(
         say("Manipulation check: root mean square difference of the median forces"),
         {say("Pair"), say("All strokes [N]"), kN, say("By participant [N]"), say("95 % CI")});
+    bool isAnyAlike = false;  // in all participants, so that an interval has no width
     for (const auto& d : renderedForceDifferences(section_.curves)) {
+      isAnyAlike = isAnyAlike || (d.interval && !hasWidth(d.interval));
       row(
           {condition(d.condition1) + " vs. " + condition(d.condition2),
            rounded(d.pooled, 2),
@@ -83,6 +85,7 @@ class RenderingWriter : HtmlWriter {
         "Both columns are over the same travel: what everyone who felt both alternatives passed "
         "with both. A mean square is never below zero: also two alternatives that are alike differ "
         "by what hands do differently from one stroke to the next.");
+    if (isAnyAlike) note("Where no interval is given, both its ends would be printed alike.");
   }
 
   /// Whether the ends of an interval are printed differently: simulated hands all move alike.

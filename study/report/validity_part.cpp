@@ -126,7 +126,7 @@ class ValidityWriter : HtmlWriter {
       }
     }
     const auto text = section_.words.say(
-        "Cliff’s δ between cohorts: {} to {} (exploratory); the exact p is ≤ α in {} of {} "
+        "Cliff’s δ between cohorts: {} to {} (exploratory); the exact p is significant in {} of {} "
         "comparisons, not corrected for their number.",
         rounded(delta.least, 2),
         rounded(delta.most, 2),

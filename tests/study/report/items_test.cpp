@@ -353,7 +353,7 @@ TEST(ItemSummaries, MarkReversedQuestionsAndSayTextsThatAreAlikeOnce) {
   EXPECT_NE(page.find("(R): a high answer is bad"), std::string::npos) << page;
   section.results.answers.quotes = {
       {"mine", "why", "kalman", "simulated"}, {"mine", "why", "kalman", "simulated"}};
-  EXPECT_EQ(report::quotesAsHtml(section), "<p>All 2 texts are “simulated”.</p>\n");
+  EXPECT_EQ(report::quotesAsHtml(section), "<p>Each of the 2 texts is only “simulated”.</p>\n");
 }
 
 TEST(ScaleInWords, HasTheWordsAtTheEndsOfASlider) {

@@ -335,7 +335,8 @@ TEST_F(ReportTables, OfValidityEvidenceHasTheSmallestAndTheLargestNumber) {
   expectEvidence(
       3,
       "Relations to other variables",
-      "Cliff’s δ between cohorts: 0.71 to 0.79 (exploratory); the exact p is ≤ α in 1 of 2 ");
+      "Cliff’s δ between cohorts: 0.71 to 0.79 (exploratory); the exact p is significant in 1 of "
+      "2 ");
 }
 
 TEST_F(ReportTables, HaveOtherNumbersInSentencesBesideThem) {
