@@ -15,7 +15,7 @@ BenchmarkPage::BenchmarkPage(const Content& content, QWidget* picture, QWidget* 
       enoughHint_(bodyLabel(tr("That is enough. Press Next, or make more cuts first."), this)),
       next_(new QPushButton(content.next, this)) {
   addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
-  stage_->setCaption(tr("The real instrument"));
+  stage_->setCaption(tr("The real instrument, not the simulator"));
   auto* text = textLabel(content.text, this);
   auto* key = bodyLabel(tr("You will compare every alternative with these cuts."), this);
   text->setProperty("role", QStringLiteral("statement"));
@@ -33,8 +33,7 @@ void BenchmarkPage::setCuts(int cuts) {
   cutCounter_->setCount(cuts);
   enoughHint_->setVisible(left <= 0);
   next_->setEnabled(left <= 0);
-  stage_->setReason(
-      left > 0 ? tr("The researcher counts your cuts: %1 left").arg(left) : QString());
+  stage_->setReason(left > 0 ? tr("The researcher counts your cuts.") : QString());
 }
 
 }  // namespace study::gui

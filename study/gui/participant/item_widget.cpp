@@ -61,6 +61,11 @@ void ItemWidget::resizeEvent(QResizeEvent* event) {
   const bool isBeside = width() >= scaled(*this, kRoomForBoth);
   parts_->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   parts_->setSpacing(scaled(*this, isBeside ? 28 : 10));
+  // The first line of the statement is at the height of the buttons, which have words below them.
+  const int buttons = rows_->count() == 0 ? 0 : rows_->itemAt(0)->sizeHint().height();
+  const int above = std::max(0, (buttons - statement_->fontMetrics().height()) / 2);
+  statement_->setAlignment(isBeside ? Qt::AlignTop : Qt::AlignVCenter);
+  statement_->setContentsMargins(0, isBeside ? above : 0, 0, 0);
   constexpr int kStatementShare = 9;  // shares of the width
   constexpr int kOfField = 10;
   parts_->setStretchFactor(statement_, isBeside ? kStatementShare : 0);

@@ -383,9 +383,10 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
   if (session.step().kind == StepKind::Preference) {
     hints << tr("If you are unsure, follow your first impression.");
     if (const auto* next = nextTrial(session)) {
-      hints << tr("There is another round after this page.")
-            << (keepsNumbers(session, *next) ? tr("In it the numbers stay the same.")
-                                             : tr("In it the numbers start again."));
+      hints
+          << (keepsNumbers(session, *next)
+                  ? tr("Another round follows, with the same alternatives by the same numbers.")
+                  : tr("Another round follows, in which the numbers start again."));
     }
   }
   const bool isLong = content.introduction.contains(u'\n');
@@ -529,7 +530,8 @@ QWidget* ParticipantWindow::makeMessage(const QString& title, const QString& wor
   return page;
 }
 
-/// The round, if there are several; the trial, if its number does not say it; the step; its page.
+/// The round, if there are several; the trial, if its number does not say it; without both the
+/// step; the page of a step that has several.
 QStringList ParticipantWindow::whereInSession() const {
   const auto& session = controller_.session();
   if (session.state() == SessionState::Completed) return {tr("Finished")};
@@ -540,7 +542,8 @@ QStringList ParticipantWindow::whereInSession() const {
     where << tr("Round %1 of %2").arg(place.round).arg(place.rounds);
   if (place.position > 0 && !isLabelledByPosition(session))
     where << tr("Trial %1 of %2").arg(place.position).arg(place.alternatives);
-  where << tr("Step %1 of %2").arg(session.stepIndex() + 1).arg(session.plan().size());
+  if (where.isEmpty())
+    where << tr("Step %1 of %2").arg(session.stepIndex() + 1).arg(session.plan().size());
   if (questions_ != nullptr && questions_->sheets() > 1)
     where << tr("Page %1 of %2").arg(questions_->sheet() + 1).arg(questions_->sheets());
   return where;

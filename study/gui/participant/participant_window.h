@@ -75,7 +75,7 @@ class ParticipantWindow final : public QWidget {
   SessionController& controller_;
   std::function<void(double)> moveHand_;
   QProgressBar* progress_;
-  QLabel* stepLabel_;  ///< beside it: "Round 1 of 2 · Step 5 of 19"
+  QLabel* stepLabel_;  ///< beside it: "Round 1 of 2 · Trial 1 of 3", or "Step 4 of 19"
   QComboBox* languages_;
   QVBoxLayout* rows_;  ///< of the window
   QVBoxLayout* place_;

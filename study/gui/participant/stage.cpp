@@ -82,6 +82,7 @@ Stage::Stage(const QString& title, QWidget* shown, Panel panel, QWidget* parent)
   words_ = new QVBoxLayout(body_);
   words_->setContentsMargins(0, 0, 0, 0);
   words_->setSpacing(scaled(*this, 12));
+  stopHint_ = quietLabel(tr("To pause or stop: let go, and tell the researcher."), inside);
   scroll_->setWidgetResizable(true);
   scroll_->setFocusPolicy(Qt::NoFocus);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -138,7 +139,8 @@ void Stage::place(bool isWide) {
   for (QWidget* each : {static_cast<QWidget*>(panel_), static_cast<QWidget*>(scroll_), foot_}) {
     if (each != nullptr) grid_->removeWidget(each);
   }
-  for (auto* each : {static_cast<QWidget*>(title_), body_, counter_}) {
+  for (auto* each :
+       {static_cast<QWidget*>(title_), body_, counter_, static_cast<QWidget*>(stopHint_)}) {
     if (each != nullptr) column_->removeWidget(each);
   }
   footRows_->removeWidget(reason_);
@@ -158,7 +160,8 @@ void Stage::place(bool isWide) {
     isCounterBesideTitle ? column_->addWidget(counter_, 0, 1, Qt::AlignRight | Qt::AlignVCenter)
                          : column_->addWidget(counter_, 2, 0);
   }
-  column_->setRowStretch(3, 1);
+  column_->addWidget(stopHint_, 3, 0);
+  column_->setRowStretch(4, 1);
   if (isWide) {
     grid_->addWidget(panel_, 0, 0, 2, 1);
     grid_->addWidget(scroll_, 0, 1);

@@ -13,6 +13,8 @@ namespace study::gui {
 /// title, what to do, what was done, and the button that goes on, at the place of Next on other
 /// pages. In an upright window the panel is between the words and the button.
 class Stage final : public QWidget {
+  Q_OBJECT
+
  public:
   enum class Panel {
     Picture,  ///< needed for the page: always shown
@@ -54,6 +56,7 @@ class Stage final : public QWidget {
   QWidget* body_;
   QVBoxLayout* words_;
   QWidget* counter_ = nullptr;
+  QLabel* stopHint_ = nullptr;  ///< how to pause or stop, on every page
   QWidget* foot_;
   QLabel* reason_;
   QGridLayout* footRows_;

@@ -51,7 +51,8 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
           this)),
       takeHint_(bodyLabel({}, this)),
       strokeHint_(bodyLabel({}, this)),
-      stepNumbers_{stepNumber(1, this), stepNumber(2, this)},
+      doneHint_(bodyLabel(tr("Press Done, and let go."), this)),
+      stepNumbers_{stepNumber(1, this), stepNumber(2, this), stepNumber(3, this)},
       pointerHint_(quietLabel({}, this)),
       beginButton_(
           new QPushButton(content.isOptionalTrial ? tr("Feel it again") : tr("Begin"), this)),
@@ -104,7 +105,7 @@ void TrialPage::addWords() {
   steps->setVerticalSpacing(scaled(*this, 10));
   steps->setColumnStretch(1, 1);
   int row = 0;
-  for (auto* hint : {takeHint_, strokeHint_}) {
+  for (auto* hint : {takeHint_, strokeHint_, doneHint_}) {
     hint->setProperty("role", QStringLiteral("statement"));
     hint->setAlignment(Qt::AlignTop);
     steps->addWidget(stepNumbers_[static_cast<std::size_t>(row)], row, 0);
@@ -130,8 +131,10 @@ void TrialPage::setRunning(bool isRunning, bool isVirtual) {
   declineButton_->setVisible(!isRunning && content_.isOptionalTrial);
   const bool isOffer = !isRunning && content_.isOptionalTrial;
   cutCounter_->setVisible(!isOffer);
-  takeHint_->setText(isRunning ? QString() : tr("Press Begin, then take the instrument."));
-  takeHint_->setVisible(!isRunning && !isOffer);
+  takeHint_->setText(
+      isRunning ? QString()
+                : tr("Press Begin, then take the instrument: it resists from then on."));
+  for (auto* hint : {takeHint_, doneHint_}) hint->setVisible(!isRunning && !isOffer);
   for (auto* number : stepNumbers_) number->setVisible(!isRunning && !isOffer);
   strokeHint_->setText(
       isOffer ? tr("Would you like to feel it once more before you choose?") : howTo());

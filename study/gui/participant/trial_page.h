@@ -72,7 +72,8 @@ class TrialPage final : public QWidget {
   QLabel* numberingHint_;  ///< says that numbers start again, where they do
   QLabel* takeHint_;       ///< the first step: to take the instrument
   QLabel* strokeHint_;     ///< the second one
-  std::array<QLabel*, 2> stepNumbers_;
+  QLabel* doneHint_;       ///< the third one
+  std::array<QLabel*, 3> stepNumbers_;
   QLabel* pointerHint_;  ///< how this page moves a virtual instrument
   QPushButton* beginButton_;
   QPushButton* doneButton_;

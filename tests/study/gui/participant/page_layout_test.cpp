@@ -160,15 +160,14 @@ TEST(PageLayout, HasTheEndOfTheBarAndTheTitleAtOnePlaceOnEveryPage) {
   EXPECT_EQ(titles.size(), 1U);
 }
 
-TEST(PageLayout, SaysWhichInstrumentIsReal) {
+TEST(PageLayout, SaysWhichInstrumentIsRealAndHowToStop) {
   Pages pages("punch-counterbalanced");
-  for (const auto& [kind, caption, other] :
-       {std::tuple(StepKind::Benchmark, "The real instrument", "The handle of the simulator"),
-        std::tuple(StepKind::Trial, "The handle of the simulator", "The real instrument")}) {
+  for (const auto kind : {StepKind::Benchmark, StepKind::Trial}) {
     pages.participant.goTo(kind);
     Pages::settle();
-    EXPECT_TRUE(pages.says(caption));
-    EXPECT_FALSE(pages.says(other));
+    EXPECT_EQ(pages.says("The handle of the simulator"), kind == StepKind::Trial);
+    EXPECT_EQ(pages.says("The real instrument, not the simulator"), kind == StepKind::Benchmark);
+    EXPECT_TRUE(pages.says("To pause or stop: let go, and tell the researcher."));
   }
 }
 
