@@ -34,7 +34,7 @@ TEST(BlankTexts, TakeThePlaceOfBlanksInEachLanguage) {
       loaded("punch-face-validity"),
       {{"institution", LocalizedText({{"en", "Trondheim"}, {"de", "Drontheim"}})},
        {"duration", english("45")}});
-  const auto& consent = protocol.instrument("consent-punch")->introduction;
+  const auto& consent = protocol.instrument("consent-punch-2")->introduction;
   EXPECT_NE(consent.in("en").find("on a computer of Trondheim,"), std::string::npos);
   EXPECT_NE(consent.in("de").find("auf einem Computer von Drontheim"), std::string::npos);
   EXPECT_NE(consent.in("nb").find("datamaskin hos Trondheim"), std::string::npos) << "English";

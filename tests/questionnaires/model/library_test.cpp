@@ -231,7 +231,7 @@ TEST(Library, MarksWhatFewScenesOfReamingRender) {
 }
 
 TEST(Library, AsksForConsentThatMayBeRefusedWithoutAName) {
-  for (const auto* id : {"consent-punch", "consent-reaming"}) {
+  for (const auto* id : {"consent-punch-2", "consent-reaming-2"}) {
     const auto& consent = shipped().at(id);
     EXPECT_EQ(consent.item("consent")->consentOption, "yes") << id;
     EXPECT_TRUE(consent.item("consent")->isRequired) << id;
@@ -260,7 +260,7 @@ TEST(Library, NamesPersonsOnlyInTheConsentForms) {
 }
 
 TEST(Library, AsksNothingInInformation) {
-  for (const auto* id : {"information-punch", "information-reaming", "debrief"}) {
+  for (const auto* id : {"information-punch-2", "information-reaming-2", "debrief-2"}) {
     EXPECT_TRUE(shipped().at(id).items.empty()) << id;
     EXPECT_FALSE(shipped().at(id).introduction.isEmpty()) << id;
   }

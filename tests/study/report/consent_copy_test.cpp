@@ -33,12 +33,12 @@ TEST_F(ConsentCopy, HasInformationTermsAndChoiceInTheParticipantsLanguage) {
   const auto session = participant("de");
   const auto page = consentCopy(study_, session.participant());
   const auto& protocol = session.protocol();
-  const auto* consent = protocol.instrument("consent-punch");
+  const auto* consent = protocol.instrument("consent-punch-2");
   EXPECT_TRUE(has(page, "<html lang=\"de\">"));
   EXPECT_TRUE(has(page, "Mir ist bekannt, dass die Teilnahme freiwillig ist"));
   EXPECT_TRUE(has(page, "→ Ja, ich nehme teil"));
   EXPECT_TRUE(has(page, "nicht beantwortet")) << "the video, which nobody was asked to allow";
-  EXPECT_TRUE(has(page, "consent-punch, Version " + consent->version));
+  EXPECT_TRUE(has(page, "consent-punch-2, Version " + consent->version));
   EXPECT_TRUE(has(page, study_.protocols().current().sha256));
   EXPECT_TRUE(has(page, session.participant()));
   const auto end = storage::endOf(study_.database());

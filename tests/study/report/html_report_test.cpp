@@ -487,7 +487,7 @@ TEST(HtmlReport, HasTheWarningsOfTheDesign) {
 TEST(HtmlReport, DescribesBenchmarkAndOptionalTrialsInTheMethods) {
   const auto page = asHtml({tests::madeUpSection()});
   EXPECT_TRUE(has(page, "made at least 3 cuts with the real tool."));
-  EXPECT_TRUE(has(page, "They read: “Please take the real punch"));
+  EXPECT_TRUE(has(page, "They read: “Careful: the jaws of the punch are sharp."));
   const auto again = page.find("they could feel each of them once more");
   EXPECT_NE(again, std::string::npos);
   EXPECT_EQ(page.find("they could feel each of them once more", again + 1), std::string::npos)

@@ -186,7 +186,7 @@ TEST_F(ProtocolWindowTest, NamesPartsOfAProtocolByTheirTitles) {
       checked.placeInWords("$.analysis.families[0].test"),
       QStringLiteral("comparisons 1, Realism of the three methods › test"));
   EXPECT_EQ(
-      checked.placeInWords("consent-punch $.introduction"),
+      checked.placeInWords("consent-punch-2 $.introduction"),
       QStringLiteral("Consent › introduction"));
   QString words;
   for (const auto& note : checked.notes()) words += note.text;

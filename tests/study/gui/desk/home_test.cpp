@@ -383,7 +383,7 @@ TEST_F(HomeTest, FillsInTheTextsOfAStudyOnce) {
   QTest::mouseClick(home.findChild<QPushButton*>(QStringLiteral("texts")), Qt::LeftButton);
   auto study = Study::open(folder.toStdString(), clock_);
   EXPECT_EQ(study.protocols().all().size(), 2U) << "an amendment";
-  const auto& consent = study.protocol().instrument("consent-punch")->introduction;
+  const auto& consent = study.protocol().instrument("consent-punch-2")->introduction;
   EXPECT_NE(consent.in("en").find("on a computer of Lab,"), std::string::npos);
   EXPECT_NE(consent.in("de").find("auf einem Computer von Labor"), std::string::npos);
   EXPECT_EQ(summaryOf(folder.toStdString()).blanks, 8U) << "institution and duration are there";
