@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <ranges>
 #include <string_view>
 
@@ -18,5 +19,9 @@ constexpr auto* withId(const Range& all, std::string_view id) noexcept {
   const auto found = std::ranges::find_if(all, [&](const auto& one) { return one.id == id; });
   return found == std::ranges::end(all) ? nullptr : &*found;
 }
+
+/// The smallest number of edits (insert, delete, replace, swap of neighbours) from one word to the
+/// other.
+std::size_t editDistance(std::string_view a, std::string_view b);
 
 }  // namespace base

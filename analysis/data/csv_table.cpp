@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "base/search.h"
 
 namespace analysis {
 namespace {
@@ -173,33 +174,11 @@ CsvTable readCsv(std::string_view text) {
   return table;
 }
 
-namespace {
-
-char toLowerCase(char letter) {
-  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
-
-/// Levenshtein's distance by dynamic programming, of which one row is kept.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (toLowerCase(a[i]) == toLowerCase(b[j]) ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
-
 std::string nearestName(std::string_view meant, std::span<const std::string> names) {
-  return *std::ranges::min_element(
-      names, {}, [&](const std::string& name) { return distance(meant, name); });
+  const auto word = base::lowerCase(meant);
+  return *std::ranges::min_element(names, {}, [&](const std::string& name) {
+    return base::editDistance(word, base::lowerCase(name));
+  });
 }
 
 std::string enumerated(std::span<const std::string> names) {

@@ -44,7 +44,7 @@ struct CsvTable {
 CsvTable readCsv(std::string_view text);
 
 /// The name in @p names of which @p meant is most probably a misspelling: the name with the
-/// smallest edit distance to it (Levenshtein 1966), ignoring case; the first such name of several.
+/// fewest edits between them (base::editDistance()), ignoring case; the first such name of several.
 ///
 /// @param names  must not be empty.
 std::string nearestName(std::string_view meant, std::span<const std::string> names);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/file.h"
+#include "base/search.h"
 #include "questionnaires/json/document.h"
 
 namespace questionnaires {
@@ -94,27 +95,6 @@ std::string readTextFile(const std::string& path, std::size_t most) {
   return text;
 }
 
-namespace {
-
-/// The smallest number of edits (insert, delete, replace, swap of neighbours) from one word to the
-/// other.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
-  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replace = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replace});
-      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (swapped) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-    }
-  }
-  return d[a.size()][b.size()];
-}
-
-}  // namespace
-
 std::string typeName(const Value& value) {
   switch (value.data.index()) {
     case 0:
@@ -178,7 +158,7 @@ std::optional<std::string_view> nearest(
   for (const auto name : known) {
     const std::size_t longer = std::max(word.size(), name.size());
     if (longer - std::min(word.size(), name.size()) >= fewest) continue;
-    const std::size_t edits = editDistance(word, name);
+    const std::size_t edits = base::editDistance(word, name);
     if (edits < fewest && edits < longer) {
       fewest = edits;
       best = name;
