@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "analysis/data/likert_counts.h"
@@ -18,6 +19,12 @@ using base::Message;
 template <typename... Arguments>
 Message text(base::CheckedKey<kFlagMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {
   return base::messageOf<kFlagMessages>(key, std::forward<Arguments>(arguments)...);
+}
+
+/// The text "id.part" of kFlagMessages, which has no arguments.
+Message partOf(std::string_view id, std::string_view part) {
+  const auto key = std::string(id).append(".").append(part);
+  return {*std::ranges::find(kFlagMessages, key, &base::MessageKind::key), {}};
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -45,13 +52,26 @@ class FlagFinder {
   }
 
  private:
-  void flagUndeclaredFamily() {
+  void add(
+      std::string_view id,
+      std::vector<Message> what,
+      std::vector<Message> source,
+      bool concernsPooledTests = false,
+      bool concernsRendering = false) {
     flags_.push_back(
-        {"family_not_declared",
-         {text("family_not_declared")},
-         text("family_not_declared.why"),
-         text("family_not_declared.remedy"),
-         {Message::verbatim("Wagenmakers et al. 2012")}});
+        {id,
+         std::move(what),
+         partOf(id, "why"),
+         partOf(id, "remedy"),
+         std::move(source),
+         concernsPooledTests,
+         concernsRendering});
+  }
+
+  void flagUndeclaredFamily() {
+    add("family_not_declared",
+        {text("family_not_declared")},
+        {Message::verbatim("Wagenmakers et al. 2012")});
   }
 
   void flagPooling() {
@@ -75,25 +95,19 @@ class FlagFinder {
             *dependence.designEffect));
       }
       what.push_back(text("full_stop"));
-      flags_.push_back(
-          {"pseudo_replication",
-           std::move(what),
-           text("pseudo_replication.why"),
-           text("pseudo_replication.remedy"),
-           {Message::verbatim("Hurlbert 1984"), Message::verbatim("Lazic et al. 2020")},
-           true});
+      add("pseudo_replication",
+          std::move(what),
+          {Message::verbatim("Hurlbert 1984"), Message::verbatim("Lazic et al. 2020")},
+          true);
     }
     const auto methods = table_.methods.size();
     std::vector<std::size_t> every(methods);
-    for (std::size_t i = 0; i < methods; ++i) every[i] = i;
+    std::iota(every.begin(), every.end(), std::size_t{0});
     if (methods > 1 && !completeCaseMeans(table_, every).participants.empty()) {
-      flags_.push_back(
-          {"paired_data_unpaired_test",
-           {text("paired_data_unpaired_test")},
-           text("paired_data_unpaired_test.why"),
-           text("paired_data_unpaired_test.remedy"),
-           {Message::verbatim("Student 1908"), text("source.published_analysis", 2)},
-           true});
+      add("paired_data_unpaired_test",
+          {text("paired_data_unpaired_test")},
+          {Message::verbatim("Student 1908"), text("source.published_analysis", 2)},
+          true);
     }
   }
 
@@ -112,24 +126,18 @@ class FlagFinder {
     const bool areSameForAll =
         std::all_of(asked.begin(), asked.end(), [&](const auto& of) { return of.second == first; });
     if (!areSameForAll) {
-      flags_.push_back(
-          {"items_not_common_to_methods",
-           {text("items_not_common_to_methods")},
-           text("items_not_common_to_methods.why"),
-           text("items_not_common_to_methods.remedy"),
-           {text("source.published_analysis", 3)}});
+      add("items_not_common_to_methods",
+          {text("items_not_common_to_methods")},
+          {text("source.published_analysis", 3)});
     }
     std::vector<std::string> relative;
     for (const std::size_t statement : facts_.comparativeStatements) {
       relative.push_back(table_.statements[statement]);
     }
     if (!relative.empty()) {
-      flags_.push_back(
-          {"relative_item_without_referent",
-           {text("relative_item_without_referent", listed(relative))},
-           text("relative_item_without_referent.why"),
-           text("relative_item_without_referent.remedy"),
-           {text("source.published_analysis", 4)}});
+      add("relative_item_without_referent",
+          {text("relative_item_without_referent", listed(relative))},
+          {text("source.published_analysis", 4)});
     }
   }
 
@@ -159,12 +167,9 @@ class FlagFinder {
     }
     // Each round is balanced separately, and its counts may differ by one.
     if (table_.methods.size() < 2 || most - least <= seen.size()) return;
-    flags_.push_back(
-        {"order_not_counterbalanced",
-         {text("order_not_counterbalanced", least, most)},
-         text("order_not_counterbalanced.why"),
-         text("order_not_counterbalanced.remedy"),
-         {Message::verbatim("Williams 1949")}});
+    add("order_not_counterbalanced",
+        {text("order_not_counterbalanced", least, most)},
+        {Message::verbatim("Williams 1949")});
   }
 
   void flagScatter() {
@@ -186,20 +191,12 @@ class FlagFinder {
     }
     if (camps.size() > 1) {
       camps.push_back(text("full_stop"));
-      flags_.push_back(
-          {"bimodal",
-           std::move(camps),
-           text("bimodal.why"),
-           text("bimodal.remedy"),
-           {Message::verbatim("Liddell & Kruschke 2018")}});
+      add("bimodal", std::move(camps), {Message::verbatim("Liddell & Kruschke 2018")});
     }
     if (!constant.empty()) {
-      flags_.push_back(
-          {"constant_group",
-           {text("constant_group", listed(constant))},
-           text("constant_group.why"),
-           text("constant_group.remedy"),
-           {text("source.not_defined")}});
+      add("constant_group",
+          {text("constant_group", listed(constant))},
+          {text("source.not_defined")});
     }
   }
 
@@ -220,14 +217,11 @@ class FlagFinder {
     const double perTest = facts_.threshold.value_or(
         facts_.alpha / static_cast<double>(std::max<std::size_t>(facts_.tests, 1)));
     if (attainable > perTest) {
-      flags_.push_back(
-          {"n_below_minimum_for_alpha",
-           {pairs == 1
-                ? text("n_below_minimum_for_alpha.one", pairs, attainable, facts_.tests, perTest)
-                : text("n_below_minimum_for_alpha", pairs, attainable, facts_.tests, perTest)},
-           text("n_below_minimum_for_alpha.why"),
-           text("n_below_minimum_for_alpha.remedy"),
-           {Message::verbatim("Fisher 1935"), text("source.planning")}});
+      add("n_below_minimum_for_alpha",
+          {pairs == 1
+               ? text("n_below_minimum_for_alpha.one", pairs, attainable, facts_.tests, perTest)
+               : text("n_below_minimum_for_alpha", pairs, attainable, facts_.tests, perTest)},
+          {Message::verbatim("Fisher 1935"), text("source.planning")});
     }
     const double rounded = std::round(perTest * 1000.0) / 1000.0;
     const bool isDecidedByRounding =
@@ -235,12 +229,7 @@ class FlagFinder {
           return (p <= perTest) != (p <= rounded);
         });
     if (isDecidedByRounding) {
-      flags_.push_back(
-          {"alpha_rounded",
-           {text("alpha_rounded", perTest, rounded)},
-           text("alpha_rounded.why"),
-           text("alpha_rounded.remedy"),
-           {text("source.punch_paper")}});
+      add("alpha_rounded", {text("alpha_rounded", perTest, rounded)}, {text("source.punch_paper")});
     }
   }
 
@@ -260,35 +249,22 @@ class FlagFinder {
       answers += wanted - given[i];
     }
     if (cells == 0) return;
-    flags_.push_back(
-        {"missing_cells",
-         {answers == 1 ? text("missing_cells.one", answers, expected, cells, given.size())
-                       : text("missing_cells", answers, expected, cells, given.size())},
-         text("missing_cells.why"),
-         text("missing_cells.remedy"),
-         {text("source.not_defined")}});
+    add("missing_cells",
+        {answers == 1 ? text("missing_cells.one", answers, expected, cells, given.size())
+                      : text("missing_cells", answers, expected, cells, given.size())},
+        {text("source.not_defined")});
   }
 
   void flagTrials() {
     if (facts_.lateTrials > 0) {
-      flags_.push_back(
-          {"late_ticks",
-           {text("late_ticks", facts_.lateTrials, facts_.trials)},
-           text("late_ticks.why"),
-           text("late_ticks.remedy"),
-           {text("source.trial_verdicts")},
-           false,
-           true});
+      add("late_ticks",
+          {text("late_ticks", facts_.lateTrials, facts_.trials)},
+          {text("source.trial_verdicts")},
+          false,
+          true);
     }
     if (!facts_.saturated.empty()) {
-      flags_.push_back(
-          {"saturated",
-           saturatedInWords(),
-           text("saturated.why"),
-           text("saturated.remedy"),
-           {text("source.trial_verdicts")},
-           false,
-           true});
+      add("saturated", saturatedInWords(), {text("source.trial_verdicts")}, false, true);
     }
   }
 
@@ -316,8 +292,7 @@ class FlagFinder {
 }  // namespace
 
 Message Flag::title() const {
-  const auto key = std::string(id) + ".title";
-  return {*std::ranges::find(kFlagMessages, key, &base::MessageKind::key), {}};
+  return partOf(id, "title");
 }
 
 std::string Flag::inEnglish() const {
