@@ -61,8 +61,7 @@ void timeFit(
     Fit fit) {
   const auto start = std::chrono::steady_clock::now();
   const DensityFit result = fit();
-  const double time =
-      std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+  const double time = nanosecondsSince(start);
   run.report(
       {.family = kDensityFamily,
        .setting = setting,
@@ -110,18 +109,15 @@ void timeSwarms(
     options.seed = static_cast<std::uint64_t>(seed);
     const auto start = std::chrono::steady_clock::now();
     errors.push_back(reaming::fitSwarm(matrix, forces, options).error);
-    times.push_back(
-        std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
+    times.push_back(nanosecondsSince(start));
   }
-  std::sort(errors.begin(), errors.end());
-  std::sort(times.begin(), times.end());
   run.report(
       {.family = kDensityFamily,
        .setting = setting,
        .method = "swarm, median of " + std::to_string(kSeeds) + " seeds",
        .parameter = parameter,
-       .error = errors[errors.size() / 2],
-       .time = Timing{times[times.size() / 2], times.back()}});
+       .error = medianOf(errors),
+       .time = Timing{medianOf(times), std::ranges::max(times)}});
 }
 
 /// Fits one density per layer, by bounded least squares and by the swarm.

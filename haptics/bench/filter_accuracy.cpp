@@ -30,11 +30,9 @@ double medianNanoseconds(Work work, int repetitions = 7) {
   for (int i = 0; i < repetitions; ++i) {
     const auto start = std::chrono::steady_clock::now();
     work();
-    times.push_back(
-        std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
+    times.push_back(nanosecondsSince(start));
   }
-  std::sort(times.begin(), times.end());
-  return times[times.size() / 2];
+  return medianOf(times);
 }
 
 /// The smallest error of many cut-offs, compared with the noiseless curve.

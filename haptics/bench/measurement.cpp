@@ -9,6 +9,7 @@
 #include <map>
 #include <thread>
 
+#include "base/text_table.h"
 #include "haptics/bench/peers/peers.h"
 
 namespace haptics::bench {
@@ -34,28 +35,16 @@ std::optional<double> numberFrom(const std::string& text) {
   return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
 }
 
-std::vector<std::string> fieldsOf(const std::string& line) {
-  std::vector<std::string> fields{""};
-  for (const char c : line) {
-    if (c == kSeparator) {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
-
-double medianOf(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 std::vector<std::optional<Timing>> optional(const std::vector<Timing>& timings) {
   return {timings.begin(), timings.end()};
 }
 
 }  // namespace
+
+double medianOf(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
 
 double rmsDifference(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;
@@ -86,7 +75,7 @@ std::string asLine(const Measurement& m) {
 
 std::optional<Measurement> fromLine(const std::string& line) {
   constexpr std::size_t kFields = 8;
-  const auto fields = fieldsOf(line);
+  const auto fields = base::cellsOf(line, kSeparator);
   if (fields.size() != kFields) return std::nullopt;
   const auto parameter = numberFrom(fields[3]);
   if (!parameter) return std::nullopt;

@@ -11,6 +11,7 @@
 namespace haptics::bench {
 
 using timing::Contestant;
+using timing::nanosecondsSince;
 using timing::Timing;
 
 /// The result of one method in one setting.
@@ -38,6 +39,9 @@ struct AccuracyRun {
   std::vector<std::optional<Timing>> coldTimes(
       const std::vector<Contestant>& contestants, int rounds) const;
 };
+
+/// The middle of the sorted @p values; of an even number the upper one.
+double medianOf(std::vector<double> values);
 
 /// The root mean square of a[i] − b[i]; both have as many values.
 double rmsDifference(const std::vector<double>& a, const std::vector<double>& b);

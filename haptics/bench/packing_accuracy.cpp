@@ -122,7 +122,6 @@ void compareContacts(const Packing& packing, const AccuracyRun& run) {
 
 /// Times single steps of a bone that is reamed at 2 mm/s.
 void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
-  using Clock = std::chrono::steady_clock;
   constexpr double kFeed = 0.002;  // [m/s]
   constexpr double kTick = 0.001;  // [s]
   const std::vector<double> densities(packing.spheres.size(), kDensity);
@@ -143,9 +142,9 @@ void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
   for (int i = 0; i < steps; ++i) {
     for (auto& word : other) sum += word++;
     depth += kFeed * kTick;
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     const auto response = bone.step(plunge.at(depth), kTick);
-    times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+    times.push_back(nanosecondsSince(start));
     sum += response.contact.touched > 0 ? 1U : 0U;
   }
   [[maybe_unused]] static volatile std::uint64_t sink = 0;

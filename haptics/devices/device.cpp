@@ -1,5 +1,8 @@
 #include "haptics/devices/device.h"
 
+#include <array>
+#include <cstdio>
+
 namespace haptics::devices {
 
 const char* nameOf(Finding finding) noexcept {
@@ -12,6 +15,12 @@ const char* nameOf(Finding finding) noexcept {
       return "FAIL";
   }
   return "";
+}
+
+std::string formatNumbers(const char* format, double a, double b, double c) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), format, a, b, c);
+  return text.data();
 }
 
 std::vector<CheckResult> Device::check(double) {

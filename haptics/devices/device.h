@@ -36,6 +36,9 @@ struct CheckResult {
   std::string fix;       ///< how to correct it; empty for Pass
 };
 
+/// Up to three numbers as text, by a format of printf(), for CheckResult::measured.
+std::string formatNumbers(const char* format, double a, double b = 0.0, double c = 0.0);
+
 /// A device cannot be used; what() says which one, why, and what the operator can do.
 class DeviceError : public std::runtime_error {
  public:

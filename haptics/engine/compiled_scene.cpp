@@ -10,6 +10,7 @@
 #include "haptics/engine/model_names.h"
 #include "haptics/engine/punch_models.h"
 #include "haptics/engine/reamed_material.h"
+#include "haptics/recordings/recording.h"
 
 namespace haptics::engine {
 namespace {
@@ -33,18 +34,12 @@ std::string describe(const models::FiniteElements<double>::Parameters& p) {
   return words.append(", yielding ").append(nameIn(kYieldLawNames, p.yielding));
 }
 
-std::string twoDecimals(double share) {
-  char text[8];
-  std::snprintf(text, sizeof text, "%.2f", share);
-  return text;
-}
-
 std::string describe(const KalmanSpec& spec) {
   std::string words = "variant ";
   words.append(nameIn(kSchemeNames, spec.scheme));
   if (spec.isProcessAsPrinted) words += ", process as-printed";
   words.append(", smoothing ").append(nameIn(kSmoothingNames, spec.smoothing));
-  return words + ", the interpolation weighs " + twoDecimals(interpolationWeight(spec));
+  return words + ", the interpolation weighs " + recordings::decimal(interpolationWeight(spec), 2);
 }
 
 /// Describes how fast a reamer advances through bone; empty for a reamer without a limit.
@@ -196,7 +191,8 @@ struct Builder {
       model = std::move(packing);
     }
     torque(
-        "friction " + twoDecimals(spec.options.friction) + " on the spheres, against the spin",
+        "friction " + recordings::decimal(spec.options.friction, 2) +
+            " on the spheres, against the spin",
         "there is no friction");
   }
 };

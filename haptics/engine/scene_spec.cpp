@@ -67,13 +67,17 @@ void check(const KalmanSpec& spec, Problems& problems) {
   }
 }
 
-void check(const MaterialSpec& spec, Problems& problems) {
-  if (!(spec.hardness >= 0.0 && spec.hardness <= 1.0)) {
+void checkScale(double hardness, double forceScale, Problems& problems) {
+  if (!(hardness >= 0.0 && hardness <= 1.0)) {
     problems.push_back("the hardness must lie between 0 and 1");
   }
-  if (!(spec.forceScale > 0.0 && spec.forceScale <= 1.0)) {
+  if (!(forceScale > 0.0 && forceScale <= 1.0)) {
     problems.push_back("the force scale must lie above 0 and not above 1");
   }
+}
+
+void check(const MaterialSpec& spec, Problems& problems) {
+  checkScale(spec.hardness, spec.forceScale, problems);
   const bool isFitted = !spec.curves.isEmpty();
   if (isFitted) {
     if (const auto problem = reaming::problemOf(spec.curves)) problems.push_back(*problem);
@@ -107,12 +111,7 @@ void check(const MaterialSpec& spec, Problems& problems) {
 }
 
 void check(const PackingSpec& spec, Problems& problems) {
-  if (!(spec.hardness >= 0.0 && spec.hardness <= 1.0)) {
-    problems.push_back("the hardness must lie between 0 and 1");
-  }
-  if (!(spec.forceScale > 0.0 && spec.forceScale <= 1.0)) {
-    problems.push_back("the force scale must lie above 0 and not above 1");
-  }
+  checkScale(spec.hardness, spec.forceScale, problems);
   if (spec.bone == nullptr || spec.bone->packing.spheres.empty()) {
     problems.push_back("the bone has no spheres");
     return;
@@ -191,13 +190,7 @@ std::optional<double> endOfData(const ModelSpec& model) {
     return last.travel + (isRamp && last.force != 0.0 ? options.rampLength : 0.0);
   }
   if (parts.material == nullptr) return std::nullopt;
-  const auto& curves = parts.material->curves;
-  if (!curves.isEmpty()) {
-    return std::max(
-        {curves.minimum.back().position,
-         curves.average.back().position,
-         curves.maximum.back().position});
-  }
+  if (!parts.material->curves.isEmpty()) return parts.material->curves.end();
   if (parts.material->nodes.empty()) return std::nullopt;
   return parts.material->nodes.back().depth;
 }

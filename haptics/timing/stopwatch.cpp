@@ -9,10 +9,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double nanosecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-}
-
 /// Stores a result, so that the compiler does not remove its computation.
 void storeResult(double value) {
   [[maybe_unused]] static volatile double sink = 0.0;
@@ -56,6 +52,10 @@ Timing timingOf(std::vector<double> times) {
 
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double nanosecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
 std::vector<Timing> compareTimes(const std::vector<Contestant>& contestants) {

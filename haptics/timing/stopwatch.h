@@ -7,8 +7,8 @@
 
 namespace haptics::timing {
 
-/// Seconds since @p start.
 double secondsSince(std::chrono::steady_clock::time_point start);
+double nanosecondsSince(std::chrono::steady_clock::time_point start);
 
 /// Duration of a step [ns]: median and 99 % quantile over many short batches.
 struct Timing {

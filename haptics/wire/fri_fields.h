@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <type_traits>
 
 #include "haptics/wire/fri_message.h"
@@ -158,41 +159,22 @@ constexpr bool isKnown(RedundancyStrategy value) noexcept {
   return value == RedundancyStrategy::E1 || value == RedundancyStrategy::None;
 }
 
-// The last value of every enumeration that has no gaps.
-constexpr SessionState lastEnumerator(SessionState) noexcept {
-  return SessionState::CommandingActive;
-}
-constexpr ConnectionQuality lastEnumerator(ConnectionQuality) noexcept {
-  return ConnectionQuality::Excellent;
-}
-constexpr SafetyState lastEnumerator(SafetyState) noexcept {
-  return SafetyState::StopLevel2;
-}
-constexpr OperationMode lastEnumerator(OperationMode) noexcept {
-  return OperationMode::Automatic;
-}
-constexpr DriveState lastEnumerator(DriveState) noexcept {
-  return DriveState::Active;
-}
-constexpr ControlMode lastEnumerator(ControlMode) noexcept {
-  return ControlMode::NoControl;
-}
-constexpr ClientCommandMode lastEnumerator(ClientCommandMode) noexcept {
-  return ClientCommandMode::CartesianPose;
-}
-constexpr OverlayType lastEnumerator(OverlayType) noexcept {
-  return OverlayType::Cartesian;
-}
-constexpr IoType lastEnumerator(IoType) noexcept {
-  return IoType::Analog;
-}
-constexpr IoDirection lastEnumerator(IoDirection) noexcept {
-  return IoDirection::Output;
-}
+/// The last value of every enumeration that has no gaps.
+inline constexpr std::tuple kLastEnumerators{
+    SessionState::CommandingActive,
+    ConnectionQuality::Excellent,
+    SafetyState::StopLevel2,
+    OperationMode::Automatic,
+    DriveState::Active,
+    ControlMode::NoControl,
+    ClientCommandMode::CartesianPose,
+    OverlayType::Cartesian,
+    IoType::Analog,
+    IoDirection::Output};
 
 template <Choice T>
 constexpr bool isKnown(T value) noexcept {
-  return value <= lastEnumerator(value);
+  return value <= std::get<T>(kLastEnumerators);
 }
 
 }  // namespace haptics::wire::fri

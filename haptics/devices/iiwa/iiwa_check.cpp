@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "haptics/devices/device.h"
 #include "haptics/devices/iiwa/iiwa_device.h"
@@ -17,12 +16,6 @@ constexpr std::array kStateNames{
     "IDLE", "MONITORING_WAIT", "MONITORING_READY", "COMMANDING_WAIT", "COMMANDING_ACTIVE"};
 constexpr std::int64_t kLastingSilence = timing::kSecond;
 constexpr std::array kQualityNames{"POOR", "FAIR", "GOOD", "EXCELLENT"};
-
-std::string formatNumbers(const char* format, double a, double b = 0.0, double c = 0.0) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), format, a, b, c);
-  return text.data();
-}
 
 CheckResult sessionFinding(const MonitoringMessage& message) {
   const auto connection = message.connection.value_or(ConnectionInfo{});

@@ -1,7 +1,6 @@
 // The check of a punch: PunchDevice::check().
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "haptics/devices/device.h"
@@ -10,12 +9,6 @@
 
 namespace haptics::devices {
 namespace {
-
-std::string formatNumbers(const char* format, double a, double b = 0.0, double c = 0.0) {
-  char buffer[96];
-  std::snprintf(buffer, sizeof buffer, format, a, b, c);
-  return buffer;
-}
 
 CheckResult rateFinding(const LinkReport& link, double seconds, double nominal) {
   const double rate = static_cast<double>(link.received) / seconds;

@@ -47,6 +47,10 @@ CurveNodes blended(const CurveNodes& a, const CurveNodes& b, double share) {
 
 }  // namespace
 
+double HardnessCurves::end() const noexcept {
+  return std::max({minimum.back().position, average.back().position, maximum.back().position});
+}
+
 double forceOf(const CurveNodes& nodes, double depth) {
   return nodeAt(nodes, depth).force;
 }

@@ -19,6 +19,8 @@ struct HardnessCurves {
   CurveNodes maximum;
 
   bool isEmpty() const noexcept { return minimum.empty(); }
+  /// The displacement at which the last of the curves ends [m]; none may be empty.
+  double end() const noexcept;
 };
 
 /// The curve of hardness h: minimum at 0, average at 0.5, maximum at 1, linearly blended in

@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -242,12 +241,6 @@ std::string asText(const Series& series) {
 
 namespace {
 
-std::string inDecimals(double value, int digits = 1) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
 constexpr double kMillimetres = 1000.0;
 
 std::optional<std::string> implausibilityIn(const Series& series) {
@@ -270,8 +263,9 @@ std::optional<std::string> implausibilityIn(const Series& series) {
   }
   const double way = x.back() - x.front();
   if (!(way > 0.0)) {
-    return "its displacement goes from " + inDecimals(kMillimetres * x.front(), 2) + " to " +
-           inDecimals(kMillimetres * x.back(), 2) + " mm; the axis is reversed, or nothing moved";
+    return "its displacement goes from " + recordings::decimal(kMillimetres * x.front(), 2) +
+           " to " + recordings::decimal(kMillimetres * x.back(), 2) +
+           " mm; the axis is reversed, or nothing moved";
   }
   const double least = *std::min_element(x.begin(), x.end());
   if (x.front() - least > 0.05 * way) return "the reamer goes back at its beginning";
@@ -301,11 +295,11 @@ std::optional<std::string> feedChangeIn(const Series& series) {
     if (std::abs(feeds[part] - usual) <= kToleratedChange * usual) continue;
     const auto second = [&](std::size_t of) {
       const std::size_t sample = of * (x.size() - 1) / kParts;
-      return inDecimals(static_cast<double>(sample) / series.rate);
+      return recordings::decimal(static_cast<double>(sample) / series.rate, 1);
     };
-    return "the feed was changed: it is " + inDecimals(kMillimetres * feeds[part], 3) +
+    return "the feed was changed: it is " + recordings::decimal(kMillimetres * feeds[part], 3) +
            " mm/s between " + second(part) + " and " + second(part + 1) + " s, and mostly " +
-           inDecimals(kMillimetres * usual, 3) + " mm/s";
+           recordings::decimal(kMillimetres * usual, 3) + " mm/s";
   }
   return std::nullopt;
 }
@@ -332,9 +326,9 @@ std::optional<std::string> breakOutIn(const Series& series) {
     const double after =
         *std::max_element(means.begin() + static_cast<std::ptrdiff_t>(i), means.end());
     if (after > 0.75 * before) continue;
-    return "the force falls from " + inDecimals(before, 0) + " to " + inDecimals(means[i], 0) +
-           " N within a second, at " + inDecimals(static_cast<double>(i) / 2.0) +
-           " s, and does not come back";
+    return "the force falls from " + recordings::decimal(before, 0) + " to " +
+           recordings::decimal(means[i], 0) + " N within a second, at " +
+           recordings::decimal(static_cast<double>(i) / 2.0, 1) + " s, and does not come back";
   }
   return std::nullopt;
 }
@@ -353,7 +347,7 @@ std::optional<std::string> reamingThroughIn(const Series& series) {
   const double from = series.displacement[empty * length] - start;
   const double to = series.displacement.back() - start;
   if (from < kEarliestDepth || to - from < kLeastLength) return std::nullopt;
-  return "nothing is felt any more from " + inDecimals(kMillimetres * from) + " mm on";
+  return "nothing is felt any more from " + recordings::decimal(kMillimetres * from, 1) + " mm on";
 }
 
 }  // namespace

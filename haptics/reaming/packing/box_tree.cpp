@@ -1,6 +1,7 @@
 #include "haptics/reaming/packing/box_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace haptics::reaming {
@@ -26,11 +27,15 @@ double Box::squaredDistanceTo(Vec3 place) const noexcept {
   return dot(off, off);
 }
 
-Box boxOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle) noexcept {
-  const Vec3 first = mesh.vertices[triangle[0]];
-  Box box{first, first};
-  for (const auto corner : triangle) box.add({mesh.vertices[corner], mesh.vertices[corner]});
+Box boxOf(std::span<const Vec3> places) noexcept {
+  Box box{places.front(), places.front()};
+  for (const Vec3 place : places) box.add({place, place});
   return box;
+}
+
+Box boxOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle) noexcept {
+  const auto& v = mesh.vertices;
+  return boxOf(std::array{v[triangle[0]], v[triangle[1]], v[triangle[2]]});
 }
 
 std::vector<Box> boxesOf(const TriangleMesh& mesh) {

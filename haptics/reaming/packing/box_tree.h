@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "haptics/reaming/packing/triangle_mesh.h"
@@ -18,6 +19,7 @@ struct Box {
   double squaredDistanceTo(Vec3 place) const noexcept;
 };
 
+Box boxOf(std::span<const Vec3> places) noexcept;  ///< all of @p places; at least one
 Box boxOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle) noexcept;
 std::vector<Box> boxesOf(const TriangleMesh& mesh);
 

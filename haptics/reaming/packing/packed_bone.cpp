@@ -107,10 +107,7 @@ BoneFitReport fitBoneToMaterial(
   const auto begin = std::chrono::steady_clock::now();
   if (const auto problem = problemOf(bone); !problem.empty()) throw std::invalid_argument(problem);
   const std::vector<double> ones(bone.packing.spheres.size(), 1.0);
-  const double deepest = std::max(
-      {force.minimum.back().position,
-       force.average.back().position,
-       force.maximum.back().position});
+  const double deepest = force.end();
   std::vector<double> places;
   const auto count = static_cast<double>(options.depths);
   for (std::size_t i = 0; i < options.depths; ++i) {
@@ -174,8 +171,7 @@ BoneFitReport fitBoneToMaterial(
 
 FrictionFit fitFriction(const PackedBone& bone, const HardnessCurves& torque, std::size_t depths) {
   const CurveNodes* curves[]{&torque.minimum, &torque.average, &torque.maximum};
-  double deepest = 0.0;
-  for (const auto* curve : curves) deepest = std::max(deepest, curve->back().position);
+  const double deepest = torque.end();
   double product = 0.0;
   double square = 0.0;
   double wantedSquare = 0.0;

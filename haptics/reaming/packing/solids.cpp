@@ -83,7 +83,10 @@ double angleAt(Vec3 corner, Vec3 one, Vec3 other) noexcept {
 }  // namespace
 
 MeshSolid::MeshSolid(TriangleMesh mesh)
-    : mesh_(std::move(mesh)), tree_(boxesOf(mesh_)), volume_(mesh_.volume()) {
+    : mesh_(std::move(mesh)),
+      tree_(boxesOf(mesh_)),
+      box_(boxOf(mesh_.vertices)),
+      volume_(mesh_.volume()) {
   // The normal of the nearest part decides whether a point is inside. At an edge it is the mean of
   // both faces, at a corner the mean weighted by angles: with these pseudonormals the sign is right
   // everywhere (Baerentzen & Aanaes 2005), whereas the normal of a single face would be wrong near
@@ -91,7 +94,6 @@ MeshSolid::MeshSolid(TriangleMesh mesh)
   std::vector<Vec3> cornerNormals(mesh_.vertices.size());
   std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3> atEdge;
   const auto& v = mesh_.vertices;
-  low_ = high_ = v.front();
   for (const auto& t : mesh_.triangles) {
     const Vec3 face = unit(cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]));
     normals_.push_back({.face = face, .edge = {}, .corner = {}});
@@ -102,10 +104,6 @@ MeshSolid::MeshSolid(TriangleMesh mesh)
       cornerNormals[here] = cornerNormals[here] + angleAt(v[here], v[next], v[last]) * face;
       auto& edge = atEdge[{std::min(here, next), std::max(here, next)}];
       edge = edge + face;
-      low_ = {
-          std::min(low_.x, v[here].x), std::min(low_.y, v[here].y), std::min(low_.z, v[here].z)};
-      high_ = {
-          std::max(high_.x, v[here].x), std::max(high_.y, v[here].y), std::max(high_.z, v[here].z)};
     }
   }
   for (std::size_t k = 0; k < normals_.size(); ++k) {

@@ -32,8 +32,8 @@ class MeshSolid final : public Solid {
   explicit MeshSolid(TriangleMesh mesh);
 
   SurfacePoint nearest(Vec3 place) const noexcept override;
-  Vec3 lowerCorner() const noexcept override { return low_; }
-  Vec3 upperCorner() const noexcept override { return high_; }
+  Vec3 lowerCorner() const noexcept override { return box_.low; }
+  Vec3 upperCorner() const noexcept override { return box_.high; }
   double volume() const noexcept override { return volume_; }
 
  private:
@@ -47,8 +47,7 @@ class MeshSolid final : public Solid {
   TriangleMesh mesh_;
   BoxTree tree_;
   std::vector<Normals> normals_;
-  Vec3 low_;
-  Vec3 high_;
+  Box box_;
   double volume_;
 };
 

@@ -245,13 +245,9 @@ std::vector<std::string> problemsOf(const TriangleMesh& mesh) {
 }
 
 double likelyUnit(const TriangleMesh& mesh) noexcept {
-  Vec3 low = mesh.vertices.empty() ? Vec3{} : mesh.vertices.front();
-  Vec3 high = low;
-  for (const Vec3& v : mesh.vertices) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-  }
-  const double size = length(high - low);
+  if (mesh.vertices.empty()) return 0.0;
+  const Box box = boxOf(mesh.vertices);
+  const double size = length(box.high - box.low);
   if (size >= 10.0 && size <= 1000.0) return 0.001;
   if (size >= 0.01 && size <= 1.0) return 1.0;
   return 0.0;
