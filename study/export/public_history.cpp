@@ -6,6 +6,7 @@
 
 #include "study/export/public_people.h"
 #include "study/export/public_tables.h"
+#include "study/storage/stored_values.h"
 #include "study/words/counted.h"
 
 namespace study {
@@ -25,12 +26,11 @@ std::vector<EarlierExport> earlierExports(Study& study, RunMode mode) {
       completed.insert(event.visit->session);
     }
     if (event.kind != EventKind::PublicExport) continue;
-    const auto* storedMode = event.value("run_mode");  // release 0.1 did not store the run mode
-    const auto* name = storedMode == nullptr ? nullptr : std::get_if<std::string>(storedMode);
-    if (name != nullptr && *name != nameOf(mode)) continue;
-    const auto* k = event.value("k");
-    const auto* number = k == nullptr ? nullptr : std::get_if<std::int64_t>(k);
-    const auto smallest = number == nullptr ? kSmallestPublicClassSize : std::size_t(*number);
+    // release 0.1 did not store the run mode
+    const auto name = storage::storedValue<std::string>(event.values, "run_mode");
+    if (name && *name != nameOf(mode)) continue;
+    const auto number = storage::storedValue<std::int64_t>(event.values, "k");
+    const auto smallest = number ? std::size_t(*number) : kSmallestPublicClassSize;
     exports.push_back({smallest, completed});
   }
   return exports;

@@ -13,6 +13,7 @@
 #include "study/storage/hasher.h"
 #include "study/storage/lease.h"
 #include "study/storage/statement.h"
+#include "study/storage/stored_values.h"
 #include "study/words/counted.h"
 
 namespace study {
@@ -161,9 +162,8 @@ std::set<std::string> operatorTextsAbout(Study& study, const std::string& partic
     if (event.kind == EventKind::Erased) continue;  // the reason of an erasure is kept
     auto& found = theirs.count(event.visit->session) > 0 ? texts : others;
     found.insert(event.detail);
-    if (const auto* reason = event.value("reason")) {
-      if (const auto* text = std::get_if<std::string>(reason)) found.insert(*text);
-    }
+    const auto reason = storage::storedValue<std::string>(event.values, "reason");
+    if (reason) found.insert(*reason);
   }
   for (const auto& text : others) texts.erase(text);
   return texts;

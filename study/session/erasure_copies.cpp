@@ -9,6 +9,7 @@
 #include "study/model/user_error.h"
 #include "study/session/unblinding.h"
 #include "study/storage/statement.h"
+#include "study/storage/stored_values.h"
 #include "study/storage/study_schema.h"
 
 namespace study {
@@ -125,9 +126,7 @@ ErasedCopy eraseFrom(
 
 /// A text value of an event without a session; empty if the event has no such value.
 std::string textIn(const storage::Event& event, std::string_view name) {
-  const auto* value = event.visit ? nullptr : event.value(name);
-  const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
-  return text == nullptr ? std::string() : *text;
+  return event.visit ? std::string() : storage::storedText(event.values, name);
 }
 
 KnownCopy::Content contentOf(Study& study, const fs::path& file, const std::string& fingerprint) {

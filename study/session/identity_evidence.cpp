@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "study/storage/evidence/identity_rows.h"
+#include "study/storage/stored_values.h"
 
 namespace study {
 namespace {
@@ -13,17 +14,6 @@ using storage::Findings;
 
 constexpr const char* kNoRow = "-";
 constexpr const char* kUnknown = "";  ///< the event is of a release without fingerprints
-
-std::string nameOf(const storage::IdentityStore::Place& place, const std::string& item) {
-  return place.participant + "/" + std::to_string(place.sessionNumber) + "/" +
-         std::to_string(place.step) + "/" + std::to_string(place.attempt) + "/" + item;
-}
-
-std::string textOf(const storage::Event& event, std::string_view name) {
-  const auto* value = event.value(name);
-  const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
-  return text == nullptr ? std::string() : *text;
-}
 
 /// The rows that identity.db must have according to the audit trail: their fingerprints, by the
 /// names of the rows.
@@ -47,7 +37,7 @@ class ExpectedIdentities {
       if (isOver(session.state)) continue;
       const storage::IdentityStore::Place place{
           session.participant, session.number, session.step, session.attempt};
-      if (row.starts_with(nameOf(place, ""))) return true;
+      if (row.starts_with(place.rowOf(""))) return true;
     }
     return false;
   }
@@ -55,13 +45,14 @@ class ExpectedIdentities {
  private:
   void add(const storage::Event& event) {
     if (event.kind == EventKind::NotedIdentities) {
-      std::istringstream pairs(textOf(event, "rows"));
+      std::istringstream pairs(storage::storedText(event.values, "rows"));
       for (std::string pair; pairs >> pair;) {
         const auto sign = pair.find('=');
         if (sign != std::string::npos) rows_[pair.substr(0, sign)] = pair.substr(sign + 1);
       }
-    } else if (event.name() == "erased" && textOf(event, "level") != "answers") {
-      erased_.insert(textOf(event, "participant"));
+    } else if (
+        event.name() == "erased" && storage::storedText(event.values, "level") != "answers") {
+      erased_.insert(storage::storedText(event.values, "participant"));
     } else if (event.visit && sessions_.count(event.visit->session) > 0) {
       addSessionEvent(event);
     }
@@ -70,12 +61,14 @@ class ExpectedIdentities {
   void addSessionEvent(const storage::Event& event) {
     const auto& session = sessions_.at(event.visit->session);
     const auto nameFor = [&](const std::string& item) {
-      return nameOf(
-          {session.participant, session.number, event.visit->step, event.visit->attempt}, item);
+      const storage::IdentityStore::Place place{
+          session.participant, session.number, event.visit->step, event.visit->attempt};
+      return place.rowOf(item);
     };
     if (event.kind == EventKind::Retracted) rows_.erase(nameFor(event.detail));
     if (event.kind != EventKind::Answered || event.value("kept_apart") == nullptr) return;
-    rows_[nameFor(textOf(event, "item"))] = textOf(event, "fingerprint");
+    rows_[nameFor(storage::storedText(event.values, "item"))] =
+        storage::storedText(event.values, "fingerprint");
   }
 
   std::map<SessionId, storage::SessionRow> sessions_;
@@ -136,7 +129,7 @@ void noteRows(Study& study, const std::string& prefix) {
 std::string fingerprintOf(
     Study& study, const storage::IdentityStore::Place& place, const std::string& item) {
   const auto rows = presentRows(study);
-  const auto found = rows.find(nameOf(place, item));
+  const auto found = rows.find(place.rowOf(item));
   return found == rows.end() ? std::string() : found->second;
 }
 
@@ -144,7 +137,7 @@ void recordIdentityFingerprints(Study& study, const storage::SessionRow& session
   if (isOver(session.state)) return;
   const storage::IdentityStore::Place place{
       session.participant, session.number, session.step, session.attempt};
-  noteRows(study, nameOf(place, ""));
+  noteRows(study, place.rowOf(""));
 }
 
 std::string fingerprintsOf(Study& study, const std::string& participant) {

@@ -33,7 +33,7 @@ void requireValid(Study& study, const SessionRow& row, const std::vector<Step>& 
   for (std::size_t i = 0; i < plan.size(); ++i) {
     if (!plan[i].condition.empty()) drawn.emplace_back(static_cast<int>(i), plan[i].condition);
   }
-  if (study.sessions().allocation(row.id) != drawn) {
+  if (storage::allocationOf(study.database(), row.id) != drawn) {
     refuseDamaged("The order of this session is not the one that was drawn for it.");
   }
   const bool isAStep = row.step >= 0 && row.step < static_cast<int>(plan.size());

@@ -14,6 +14,7 @@
 #include "study/storage/keys/sealed_condition.h"
 #include "study/storage/local_disk.h"
 #include "study/storage/statement.h"
+#include "study/storage/stored_values.h"
 #include "study/storage/study_schema.h"
 
 namespace study {
@@ -98,13 +99,11 @@ void Study::readStudyRow() {
   const std::string seed = select.text(1);
   std::from_chars(seed.data(), seed.data() + seed.size(), seed_);
   createdUtc_ = select.text(3);
-  const storage::Event made{.kind = EventKind::MadeStudy, .values = events().valuesOfMadeStudy()};
-  const auto textOf = [&](std::string_view name) {
-    const auto* value = made.value(name);
-    const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
-    return text == nullptr ? std::string() : *text;
-  };
-  station_ = {.site = textOf("site"), .label = textOf("station"), .uuid = textOf("station_uuid")};
+  const auto made = events().valuesOfMadeStudy();
+  station_ = {
+      .site = storage::storedText(made, "site"),
+      .label = storage::storedText(made, "station"),
+      .uuid = storage::storedText(made, "station_uuid")};
   storage::Statement first(database_, "SELECT kind FROM event WHERE seq = 1");
   isCollected_ = first.step() && first.text(0) == nameOf(EventKind::CollectedStudy);
 }

@@ -19,6 +19,7 @@
 #include "study/storage/evidence/witness_file.h"
 #include "study/storage/records.h"
 #include "study/storage/statement.h"
+#include "study/storage/stored_values.h"
 #include "study/storage/study_schema.h"
 
 namespace study {
@@ -165,9 +166,8 @@ void checkAnswers(Study& study, SessionId session, Problems& problems) {
   for (auto& event : study.events().read(session)) {
     if (event.kind == EventKind::Retracted && event.visit) said.erase({*event.visit, event.detail});
     if (event.kind != EventKind::Answered || !event.visit) continue;
-    const auto* item = event.value("item");
-    const auto* id = item == nullptr ? nullptr : std::get_if<std::string>(item);
-    if (id == nullptr || event.value("kept_apart") != nullptr) continue;
+    const auto id = storage::storedValue<std::string>(event.values, "item");
+    if (!id || event.value("kept_apart") != nullptr) continue;
     const std::pair key{*event.visit, *id};
     said.insert_or_assign(key, std::move(event));
   }
@@ -256,7 +256,7 @@ storage::Findings orders(Study& study) {
       }
       if (!canRead) continue;
     }
-    const auto allotted = study.sessions().allocation(row.id);
+    const auto allotted = storage::allocationOf(study.database(), row.id);
     const bool isDrawn =
         allotted == conditionsOf(drawnPlan(study, row)) ||
         (study.isCollected() && allotted == conditionsOf(planFromStudySeed(study, row)));

@@ -1,6 +1,7 @@
 #include "study/storage/content_hash.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -87,7 +88,14 @@ bool wasAnyoneErased(const Database& database) {
 
 /// Adds separators between rows and after the last one, so that moving a value to another row or
 /// table changes the hash.
-void addRows(Hasher& hasher, Statement& rows) {
+/// @param session  whose rows are selected; std::nullopt: the statement has no parameter
+void addRows(
+    Hasher& hasher,
+    const Database& database,
+    const char* select,
+    std::optional<SessionId> session = std::nullopt) {
+  Statement rows(database, select);
+  if (session) rows.bind(1, static_cast<std::int64_t>(*session));
   while (rows.step()) {
     hasher.add("row");
     for (int column = 0; column < rows.columnCount(); ++column) {
@@ -112,15 +120,9 @@ void addStation(const Database& database, SessionId session, Hasher& hasher) {
 
 Hash contentHash(const Database& database, SessionId session, const SealingKey* key) {
   Hasher hasher;
-  for (const char* select : kSessionQueries) {
-    Statement rows(database, select);
-    rows.bind(1, static_cast<std::int64_t>(session));
-    addRows(hasher, rows);
-  }
+  for (const char* select : kSessionQueries) addRows(hasher, database, select, session);
   for (const char* select : sealedParts(database, session)) {
-    Statement rows(database, select);
-    rows.bind(1, static_cast<std::int64_t>(session));
-    addRows(hasher, rows);
+    addRows(hasher, database, select, session);
   }
   addStation(database, session, hasher);
   return key == nullptr ? hasher.finish() : hasher.finish(key->hashingKey());
@@ -128,18 +130,9 @@ Hash contentHash(const Database& database, SessionId session, const SealingKey* 
 
 Hash contentHash(const Database& database) {
   Hasher hasher;
-  for (const char* select : kStudyQueries) {
-    Statement rows(database, select);
-    addRows(hasher, rows);
-  }
-  if (wasAnyoneErased(database)) {
-    Statement rows(database, kErasures);
-    addRows(hasher, rows);
-  }
-  if (hasWrappedKey(database)) {
-    Statement rows(database, kWrappedKey);
-    addRows(hasher, rows);
-  }
+  for (const char* select : kStudyQueries) addRows(hasher, database, select);
+  if (wasAnyoneErased(database)) addRows(hasher, database, kErasures);
+  if (hasWrappedKey(database)) addRows(hasher, database, kWrappedKey);
   return hasher.finish();
 }
 

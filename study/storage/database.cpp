@@ -257,11 +257,7 @@ bool Database::hasColumn(const std::string& table, const std::string& column) co
 }
 
 std::string Database::integrityCheckProblems() {
-  std::string problems;
-  Statement integrity(*this, "PRAGMA integrity_check(20)");
-  while (integrity.step()) {
-    if (integrity.text(0) != "ok") problems += path_ + ": " + integrity.text(0) + "\n";
-  }
+  auto problems = problemsFoundBy("PRAGMA integrity_check(20)");
   Statement keys(*this, "PRAGMA foreign_key_check");
   while (keys.step()) {
     problems += path_ + ": a row of '" + keys.text(0) + "' refers to nothing\n";

@@ -110,6 +110,7 @@ class Database {
   /// Opens the file with or without locks; open() has chosen which.
   static Database openWithReading(
       const std::string& path, const Schema& schema, Access access, Reading reading);
+  std::string problemsFoundBy(const char* pragma);
   void closeIdleStatements() const noexcept;
   void configure(Access access);
   /// @throws StorageError  if the application id is not that of @p schema.

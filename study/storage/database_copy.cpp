@@ -51,8 +51,12 @@ void Database::copyTo(
 }
 
 std::string Database::quickCheckProblems() {
+  return problemsFoundBy("PRAGMA quick_check(20)");
+}
+
+std::string Database::problemsFoundBy(const char* pragma) {
   std::string problems;
-  Statement check(*this, "PRAGMA quick_check(20)");
+  Statement check(*this, pragma);
   while (check.step()) {
     if (check.text(0) != "ok") problems += path_ + ": " + check.text(0) + "\n";
   }

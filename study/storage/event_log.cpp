@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "questionnaires/json/document.h"
+#include "study/model/named_value.h"
 #include "study/model/user_error.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/events_of_release_0_1.h"
@@ -126,24 +127,10 @@ Row rowOf(const Event& event) {
   return row;
 }
 
-void insert(
-    Database& database, std::int64_t seq, const StoredEvent& row, std::span<const std::byte> hash) {
-  Statement insert(
-      database,
-      std::string("INSERT INTO event (") + kEventColumns + ") VALUES (?,?,?,?,?,?,?,?,?,?,?,?)");
-  insert.bind(1, seq)
-      .bind(2, row.session)
-      .bind(3, row.step)
-      .bind(4, row.attempt)
-      .bind(5, row.utc)
-      .bind(6, row.monotonic)
-      .bind(7, row.actor)
-      .bind(8, row.kind)
-      .bind(9, row.detail)
-      .bind(10, hash);
-  if (!row.content.empty()) insert.bind(11, std::span<const std::byte>(row.content));
-  if (!row.sealed.empty()) insert.bind(12, std::span<const std::byte>(row.sealed));
-  insert.run();
+void insert(Database& database, std::int64_t seq, Row row, const Hash& hash) {
+  row.seq = seq;
+  row.hash = asBytes(hash);
+  insertEvent(database, row);
 }
 
 /// The number of the next event, and the hash of the last one.
@@ -211,12 +198,32 @@ class ProtectiveTriggers {
   std::string triggers_;
 };
 
+constexpr std::array<std::string_view, 3> kActors{"participant", "operator", "program"};
+
 Actor actorNamed(std::string_view name) {
-  if (name == "participant") return Actor::Participant;
-  return name == "operator" ? Actor::Operator : Actor::Program;
+  return valueNamed<Actor>(kActors, name).value_or(Actor::Program);
 }
 
 }  // namespace
+
+void insertEvent(Database& database, const StoredEvent& event) {
+  Statement insert(
+      database,
+      std::string("INSERT INTO event (") + kEventColumns + ") VALUES (?,?,?,?,?,?,?,?,?,?,?,?)");
+  insert.bind(1, event.seq)
+      .bind(2, event.session)
+      .bind(3, event.step)
+      .bind(4, event.attempt)
+      .bind(5, event.utc)
+      .bind(6, event.monotonic)
+      .bind(7, event.actor)
+      .bind(8, event.kind)
+      .bind(9, event.detail)
+      .bind(10, std::span<const std::byte>(event.hash));
+  if (!event.content.empty()) insert.bind(11, std::span<const std::byte>(event.content));
+  if (!event.sealed.empty()) insert.bind(12, std::span<const std::byte>(event.sealed));
+  insert.run();
+}
 
 StoredEvent storedEventIn(const Statement& row) {
   return {
@@ -235,15 +242,7 @@ StoredEvent storedEventIn(const Statement& row) {
 }
 
 std::string_view nameOf(Actor actor) noexcept {
-  switch (actor) {
-    case Actor::Participant:
-      return "participant";
-    case Actor::Operator:
-      return "operator";
-    case Actor::Program:
-      return "program";
-  }
-  return {};
+  return kActors[static_cast<std::size_t>(actor)];
 }
 
 std::string_view Event::name() const noexcept {
@@ -346,7 +345,7 @@ std::vector<StoredEvent> EventLog::stored(std::int64_t after, std::int64_t most)
 }
 
 void EventLog::putStored(const StoredEvent& event) {
-  insert(database_, event.seq, event, event.hash);
+  insertEvent(database_, event);
 }
 
 void EventLog::appendFromOtherTrail(
@@ -372,8 +371,7 @@ void EventLog::appendMany(const std::function<void()>& append) {
 }
 
 std::vector<std::byte> EventLog::head() const {
-  Statement last(database_, "SELECT hash FROM event ORDER BY seq DESC LIMIT 1");
-  return last.step() ? last.blob(0) : std::vector<std::byte>();
+  return nextNumberAndLastHash(database_).second;
 }
 
 std::string EventLog::headAsText() const {
@@ -430,10 +428,7 @@ base::NamedArguments EventLog::valuesOfMadeStudy() const {
 }
 
 std::string EventLog::commitment() const {
-  const Event made{.kind = EventKind::MadeStudy, .values = valuesOfMadeStudy()};
-  const auto* value = made.value("secret");
-  const auto* secret = value == nullptr ? nullptr : std::get_if<std::string>(value);
-  return secret == nullptr ? std::string() : *secret;
+  return storedText(valuesOfMadeStudy(), "secret");
 }
 
 bool EventLog::holds(const std::vector<std::byte>& head) const {

@@ -66,6 +66,9 @@ inline constexpr const char* kEventColumns =
     "sealed";
 StoredEvent storedEventIn(const Statement& row);
 
+/// Inserts a row unchanged into a table with the columns kEventColumns.
+void insertEvent(Database& database, const StoredEvent& event);
+
 /// Detail and values of the event as English text.
 std::string describe(const Event& event);
 

@@ -1,6 +1,7 @@
 #include "study/storage/fact_rows.h"
 
 #include <map>
+#include <type_traits>
 
 namespace study::storage {
 namespace {
@@ -33,17 +34,33 @@ std::vector<std::string> namesIn(std::string_view columns) {
   return names;
 }
 
+NamedRow rowIn(const Statement& row, const std::vector<std::string>& names, int first) {
+  NamedRow values;
+  for (const auto& name : names) values[name] = valueIn(row, first++);
+  return values;
+}
+
+base::NamedArguments presentValues(const NamedRow& row, const std::vector<std::string>& names) {
+  base::NamedArguments values;
+  for (const auto& name : names) {
+    std::visit(
+        [&, &column = name](const auto& held) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
+            values.emplace_back(column, held);
+          }
+        },
+        row.at(name));
+  }
+  return values;
+}
+
 std::vector<NamedRow> rowsOf(
     const Database& database, const std::string& sql, std::string_view columns, SessionId session) {
   Statement select(database, sql);
   select.bind(1, static_cast<std::int64_t>(session));
   const auto names = namesIn(columns);
   std::vector<NamedRow> rows;
-  while (select.step()) {
-    NamedRow& row = rows.emplace_back();
-    for (std::size_t i = 0; i < names.size(); ++i)
-      row[names[i]] = valueIn(select, static_cast<int>(i));
-  }
+  while (select.step()) rows.push_back(rowIn(select, names, 0));
   return rows;
 }
 

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/message.h"
 #include "study/model/ids.h"
 #include "study/storage/database.h"
 #include "study/storage/statement.h"
@@ -23,6 +24,12 @@ using NamedRow = std::map<std::string, NamedRowValue>;
 
 /// The column names in a list. @param columns  "step, attempt"
 std::vector<std::string> namesIn(std::string_view columns);
+
+/// The values of the present row of a statement, from column @p first on.
+NamedRow rowIn(const Statement& row, const std::vector<std::string>& names, int first);
+
+/// The values of these columns; missing values are left out.
+base::NamedArguments presentValues(const NamedRow& row, const std::vector<std::string>& names);
 
 /// @param sql  selects @p columns; its only parameter is the number of the session
 std::vector<NamedRow> rowsOf(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -36,6 +37,15 @@ Hash hashOf(std::span<const std::byte> bytes);
 
 /// The bytes of a hash in the type of a BLOB column.
 std::vector<std::byte> asBytes(const Hash& hash);
+
+/// The bytes of a key or secret from a BLOB column; std::nullopt unless there are exactly as many.
+template <typename Bytes>
+std::optional<Bytes> fixedBytes(std::span<const std::byte> stored) {
+  Bytes bytes{};
+  if (stored.size() != bytes.size()) return std::nullopt;
+  std::transform(stored.begin(), stored.end(), bytes.begin(), std::to_integer<unsigned char>);
+  return bytes;
+}
 
 /// Two digits for each byte, in lower case.
 std::string inHexadecimal(std::span<const unsigned char> bytes);

@@ -22,12 +22,6 @@ void bindPlace(Statement& statement, const Place& place, const std::string& item
       .bind(5, item);
 }
 
-/// The associated data of a sealed name: the place of its row.
-std::string asText(const Place& place, const std::string& item) {
-  return place.participant + "/" + std::to_string(place.sessionNumber) + "/" +
-         std::to_string(place.step) + "/" + std::to_string(place.attempt) + "/" + item;
-}
-
 /// A row of identifying_answer.
 struct NameRow {
   Place place;
@@ -52,14 +46,14 @@ struct NameRow {
   }
 
   void seal(const SealingKey& key) {
-    sealed = key.seal(text, asText(place, item));
+    sealed = key.seal(text, place.rowOf(item));
     text.clear();
   }
 
   /// std::nullopt if the text is sealed and cannot be unsealed.
   std::optional<std::string> opened(const std::optional<SealingKey>& key) const {
     if (sealed.empty()) return text;
-    return key ? key->open(sealed, asText(place, item)) : std::nullopt;
+    return key ? key->open(sealed, place.rowOf(item)) : std::nullopt;
   }
 };
 
@@ -117,18 +111,13 @@ std::optional<BlindingSecret> secretIn(const Database& database, const std::stri
   if (!database.hasTable(table)) return std::nullopt;
   Statement select(database, "SELECT bytes FROM " + table + " WHERE id = 1");
   if (!select.step()) return std::nullopt;
-  const auto stored = select.blob(0);
-  BlindingSecret::Bytes bytes{};
-  if (stored.size() != bytes.size()) return std::nullopt;
-  std::transform(stored.begin(), stored.end(), bytes.begin(), std::to_integer<unsigned char>);
-  return BlindingSecret(bytes);
+  const auto bytes = fixedBytes<BlindingSecret::Bytes>(select.blob(0));
+  return bytes ? std::optional(BlindingSecret(*bytes)) : std::nullopt;
 }
 
 std::optional<SealingKey> keyFrom(std::span<const std::byte> stored) {
-  SealingKey::Bytes bytes{};
-  if (stored.size() != bytes.size()) return std::nullopt;
-  std::transform(stored.begin(), stored.end(), bytes.begin(), std::to_integer<unsigned char>);
-  return SealingKey(bytes);
+  const auto bytes = fixedBytes<SealingKey::Bytes>(stored);
+  return bytes ? std::optional(SealingKey(*bytes)) : std::nullopt;
 }
 
 /// The associated data of a participant's sealed Identity key.
@@ -171,6 +160,10 @@ void requireUnlocked(const IdentityStore& store, const std::string& path) {
 
 }  // namespace
 
+std::string IdentityStore::Place::rowOf(const std::string& item) const {
+  return fmt::format("{}/{}/{}/{}/{}", participant, sessionNumber, step, attempt, item);
+}
+
 void IdentityStore::put(
     const Place& place, const std::string& item, const std::string& text, const std::string& utc) {
   Transaction transaction(database_);
@@ -193,7 +186,7 @@ void IdentityStore::remove(const Place& place, const std::string& item) {
 
 bool IdentityStore::has(const Place& place, const std::string& item) const {
   for (const auto& row : nameRows(database_, place.participant)) {
-    if (asText(row.place, row.item) != asText(place, item)) continue;
+    if (row.place.rowOf(row.item) != place.rowOf(item)) continue;
     const auto text = row.opened(key(Key::Identity, place.participant));
     return text && !text->empty();
   }

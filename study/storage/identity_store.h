@@ -30,6 +30,9 @@ class IdentityStore {
     int sessionNumber = 1;
     int step = 0;     ///< from 0
     int attempt = 1;  ///< from 1
+
+    /// The name of the row of an answer, which is also the associated data of its sealed text.
+    std::string rowOf(const std::string& item) const;
   };
 
   /// Inserts or replaces an answer in one transaction. @throws StorageError  if names are locked.

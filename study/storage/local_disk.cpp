@@ -112,21 +112,12 @@ namespace {
 constexpr std::array<std::string_view, 1> kSteps{"CREATE TABLE row (words TEXT NOT NULL) STRICT"};
 constexpr Schema kSchema{0x70616c63, "a file for a self-test", kSteps};
 
-/// A folder that is removed with its content by the destructor.
-struct TemporaryFolder {
-  std::filesystem::path path;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
-  }
-};
-
 }  // namespace
 
 CommitTimes measureCommits(const std::filesystem::path& folder, int commits) {
   using Clock = std::chrono::steady_clock;
-  const TemporaryFolder passing{makeFolderBeside(folder / "self-test")};
-  auto database = Database::create((passing.path / "self-test.db").string(), kSchema);
+  const TemporaryFolder passing(folder);
+  auto database = Database::create((passing / "self-test.db").string(), kSchema);
   std::vector<double> times;
   for (int i = 0; i < commits; ++i) {
     const auto begin = Clock::now();

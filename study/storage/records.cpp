@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
-#include <type_traits>
+
+#include <fmt/format.h>
 
 #include "study/storage/answer_repository.h"
 #include "study/storage/events_of_release_0_1.h"
+#include "study/storage/fact_rows.h"
 #include "study/storage/keys/sealed_condition.h"
 #include "study/storage/statement.h"
 #include "study/storage/stored_values.h"
+#include "study/storage/trial_repository.h"
 
 namespace study::storage {
 namespace {
@@ -63,20 +66,6 @@ StepRecord stepIn(const Statement& row, const ConditionCell& condition) {
       .visitStatus = requireKnown(visitStatusNamed(row.text(9)), row.text(9))};
 }
 
-/// The value named @p name; std::nullopt if there is none of that type.
-template <typename Value>
-std::optional<Value> valueIn(const base::NamedArguments& values, std::string_view name) {
-  for (const auto& [known, value] : values) {
-    if (known != name) continue;
-    if (const auto* found = std::get_if<Value>(&value)) return *found;
-    // JSON has a whole number for 3.0.
-    if constexpr (std::is_same_v<Value, double>) {
-      if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-    }
-  }
-  return std::nullopt;
-}
-
 base::NamedArguments measuredIn(const std::string& text) {
   auto values = valuesIn(text);
   if (!values) {
@@ -89,13 +78,11 @@ base::NamedArguments measuredIn(const std::string& text) {
 }
 
 void fillIn(StoredTrial& trial, const base::NamedArguments& values) {
-  const auto real = [&](const char* name) { return valueIn<double>(values, name); };
-  const auto whole = [&](const char* name) { return valueIn<std::int64_t>(values, name); };
-  const auto text = [&](const char* name) {
-    return valueIn<std::string>(values, name).value_or("");
-  };
-  trial.verdict = requireKnown(verdictNamed(text("verdict")), text("verdict"));
-  trial.reasons = reasonsIn(text("verdict_reason"));
+  const auto real = [&](const char* name) { return storedValue<double>(values, name); };
+  const auto whole = [&](const char* name) { return storedValue<std::int64_t>(values, name); };
+  const auto verdict = storedText(values, "verdict");
+  trial.verdict = requireKnown(verdictNamed(verdict), verdict);
+  trial.reasons = reasonsIn(storedText(values, "verdict_reason"));
   trial.duration = real("duration_s").value_or(0.0);
   trial.ticks = whole("ticks").value_or(0);
   trial.nominalRate = real("nominal_rate_hz").value_or(0.0);
@@ -114,26 +101,25 @@ void fillIn(StoredTrial& trial, const base::NamedArguments& values) {
   trial.cuts = whole("cuts").value_or(0);
 }
 
-void addCuts(
-    const VisitKey& visit, const base::NamedArguments& values, std::vector<CutRecord>& cuts) {
-  const auto count = valueIn<std::int64_t>(values, "cuts").value_or(0);
-  for (int number = 1; number <= count; ++number) {
-    const auto real = [&](const char* name) {
-      return valueIn<double>(values, "cut_" + std::to_string(number) + "_" + name);
-    };
-    cuts.push_back(
-        {.visit = visit,
-         .number = number,
-         .interceptionTravel = real("interception_travel"),
-         .interceptionForce = real("interception_n"),
-         .yieldTravel = real("yield_travel"),
-         .yieldForce = real("yield_n"),
-         .bottomOutTravel = real("bottom_out_travel"),
-         .bottomOutForce = real("bottom_out_n"),
-         .openingTravel = real("opening_travel"),
-         .openingForce = real("opening_n"),
-         .peakForce = real("peak_n").value_or(0.0)});
-  }
+/// @param prefix  of the names of this cut's values
+CutRecord cutIn(
+    const VisitKey& visit,
+    int number,
+    const base::NamedArguments& values,
+    const std::string& prefix) {
+  const auto real = [&](const char* name) { return storedValue<double>(values, prefix + name); };
+  return {
+      .visit = visit,
+      .number = number,
+      .interceptionTravel = real("interception_travel"),
+      .interceptionForce = real("interception_n"),
+      .yieldTravel = real("yield_travel"),
+      .yieldForce = real("yield_n"),
+      .bottomOutTravel = real("bottom_out_travel"),
+      .bottomOutForce = real("bottom_out_n"),
+      .openingTravel = real("opening_travel"),
+      .openingForce = real("opening_n"),
+      .peakForce = real("peak_n").value_or(0.0)};
 }
 
 /// The column of the table trial AS x with sealed measurements; NULL in files of older formats that
@@ -142,38 +128,19 @@ const char* sealedTrialColumn(const Database& database) {
   return database.hasColumn("trial", "sealed") ? "x.sealed" : "NULL";
 }
 
-const char* siteColumn(const Database& database) {
-  return database.hasColumn("session", "site") ? "s.site" : "''";
-}
-
 }  // namespace
 
 std::vector<SessionRecord> Records::sessions() const {
   Statement select(
       database_,
-      "SELECT s.id, p.code, s.number, s.cohort, s.run_mode, s.state, coalesce(s.end_reason, ''), "
-      "s.language, s.protocol_id, r.sha256, s.slot, s.app_version, s.started_utc, s.ended_utc, " +
-          std::string(siteColumn(database_)) +
-          " FROM session AS s JOIN participant AS p ON p.id = s.participant_id "
+      selectSessions(database_, ", r.sha256, s.app_version") +
           "JOIN protocol AS r ON r.id = s.protocol_id ORDER BY s.id");
   std::vector<SessionRecord> sessions;
   while (select.step()) {
     sessions.push_back(
-        {.id = SessionId{select.number(0)},
-         .participant = select.text(1),
-         .number = static_cast<int>(select.number(2)),
-         .cohort = select.text(3),
-         .runMode = requireKnown(runModeNamed(select.text(4)), select.text(4)),
-         .state = requireKnown(sessionStateNamed(select.text(5)), select.text(5)),
-         .endReason = select.text(6),
-         .language = select.text(7),
-         .protocol = ProtocolId{select.number(8)},
-         .protocolHash = select.text(9),
-         .slot = select.number(10),
-         .appVersion = select.text(11),
-         .startedUtc = select.text(12),
-         .endedUtc = select.optionalText(13),
-         .site = select.text(14)});
+        {sessionIn(select),
+         select.text(kSessionColumnCount),
+         select.text(kSessionColumnCount + 1)});
   }
   return sessions;
 }
@@ -270,46 +237,31 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
 std::vector<StoredTrial> Records::trials() const {
   Statement select(
       database_,
-      "SELECT " + stepColumns(database_) +
-          ", x.device, x.ending, x.verdict, x.verdict_reason, x.travel_unit, x.duration_s, "
-          "x.ticks, "
-          "x.nominal_rate_hz, x.achieved_rate_hz, x.lateness_p50_us, x.lateness_p99_us, "
-          "x.lateness_max_us, x.late_ticks, x.lost_samples, x.invalid_ticks, x.saturated_s, "
-          "x.slewed_s, x.undefined_s, x.contact_s, x.largest_force_n, x.cuts, x.trace_samples, " +
-          sealedTrialColumn(database_) + " FROM trial AS x" + kStepJoins +
-          "ORDER BY x.session_id, x.step, x.attempt");
+      fmt::format(
+          "SELECT {}, x.device, x.ending, x.travel_unit, x.trace_samples, {}, {} FROM trial AS x{}"
+          "ORDER BY x.session_id, x.step, x.attempt",
+          stepColumns(database_),
+          sealedTrialColumn(database_),
+          kMeasuredColumns,
+          kStepJoins));
   const ConditionCell condition{database_, conditions_};
+  const auto measured = namesIn(kMeasuredColumns);
   std::vector<StoredTrial> trials;
   while (select.step()) {
     constexpr int k = kFirstOwnColumn;
-    trials.push_back(
-        {.step = stepIn(select, condition),
-         .device = select.text(k),
-         .travelUnit = select.text(k + 4),
-         .ending = requireKnown(trialEndingNamed(select.text(k + 1)), select.text(k + 1)),
-         .verdict = requireKnown(verdictNamed(select.text(k + 2)), select.text(k + 2)),
-         .reasons = reasonsIn(select.text(k + 3)),
-         .duration = select.real(k + 5),
-         .ticks = select.number(k + 6),
-         .nominalRate = select.real(k + 7),
-         .achievedRate = select.optionalReal(k + 8),
-         .latenessMedian = select.optionalReal(k + 9),
-         .latenessP99 = select.optionalReal(k + 10),
-         .latenessLargest = select.optionalReal(k + 11),
-         .lateTicks = select.optionalNumber(k + 12),
-         .lostSamples = select.number(k + 13),
-         .invalidTicks = select.number(k + 14),
-         .saturated = select.real(k + 15),
-         .slewed = select.real(k + 16),
-         .undefined = select.real(k + 17),
-         .contact = select.real(k + 18),
-         .largestForce = select.real(k + 19),
-         .cuts = select.number(k + 20),
-         .traceSamples = select.number(k + 21)});
-    const auto sealed = select.blob(k + 22);
-    if (sealed.empty() || conditions_ == Conditions::LeftOut) continue;
-    auto& trial = trials.back();
-    fillIn(trial, measuredIn(openMeasurements(database_.key(), trial.step.visit, sealed)));
+    auto& trial = trials.emplace_back(StoredTrial{
+        .step = stepIn(select, condition),
+        .device = select.text(k),
+        .travelUnit = select.text(k + 2),
+        .ending = requireKnown(trialEndingNamed(select.text(k + 1)), select.text(k + 1)),
+        .reasons = {},
+        .traceSamples = select.number(k + 3)});
+    const auto sealed = select.blob(k + 4);
+    const bool isOpen = sealed.empty() || conditions_ == Conditions::LeftOut;
+    fillIn(
+        trial,
+        isOpen ? presentValues(rowIn(select, measured, k + 5), measured)
+               : measuredIn(openMeasurements(database_.key(), trial.step.visit, sealed)));
   }
   return trials;
 }
@@ -317,24 +269,15 @@ std::vector<StoredTrial> Records::trials() const {
 std::vector<CutRecord> Records::cuts() const {
   Statement select(
       database_,
-      "SELECT session_id, step, attempt, number, interception_travel, interception_n, "
-      "yield_travel, "
-      "yield_n, bottom_out_travel, bottom_out_n, opening_travel, opening_n, peak_n FROM cut "
-      "ORDER BY session_id, step, attempt, number");
+      fmt::format(
+          "SELECT session_id, step, attempt, number, {} FROM cut "
+          "ORDER BY session_id, step, attempt, number",
+          kMeasuredColumnsOfCut));
+  const auto measured = namesIn(kMeasuredColumnsOfCut);
   std::vector<CutRecord> cuts;
   while (select.step()) {
-    cuts.push_back(
-        {.visit = readVisitKey(select),
-         .number = static_cast<int>(select.number(3)),
-         .interceptionTravel = select.optionalReal(4),
-         .interceptionForce = select.optionalReal(5),
-         .yieldTravel = select.optionalReal(6),
-         .yieldForce = select.optionalReal(7),
-         .bottomOutTravel = select.optionalReal(8),
-         .bottomOutForce = select.optionalReal(9),
-         .openingTravel = select.optionalReal(10),
-         .openingForce = select.optionalReal(11),
-         .peakForce = select.real(12)});
+    const auto values = presentValues(rowIn(select, measured, 4), measured);
+    cuts.push_back(cutIn(readVisitKey(select), static_cast<int>(select.number(3)), values, ""));
   }
   if (conditions_ == Conditions::LeftOut) return cuts;
   Statement sealed(
@@ -345,7 +288,11 @@ std::vector<CutRecord> Records::cuts() const {
           " AS sealed FROM trial AS x) AS x WHERE sealed IS NOT NULL");
   while (sealed.step()) {
     const auto visit = readVisitKey(sealed);
-    addCuts(visit, measuredIn(openMeasurements(database_.key(), visit, sealed.blob(3))), cuts);
+    const auto values = measuredIn(openMeasurements(database_.key(), visit, sealed.blob(3)));
+    const auto count = storedValue<std::int64_t>(values, "cuts").value_or(0);
+    for (int number = 1; number <= count; ++number) {
+      cuts.push_back(cutIn(visit, number, values, prefixOfCut(number)));
+    }
   }
   std::sort(cuts.begin(), cuts.end(), [](const CutRecord& a, const CutRecord& b) {
     return std::tie(a.visit, a.number) < std::tie(b.visit, b.number);

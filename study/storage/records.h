@@ -17,23 +17,10 @@
 
 namespace study::storage {
 
-/// A session with the columns that analyses need.
-struct SessionRecord {
-  SessionId id{};
-  std::string participant;
-  int number = 1;
-  std::string cohort;
-  RunMode runMode = RunMode::Live;
-  SessionState state = SessionState::Enrolled;
-  std::string endReason;
-  std::string language;
-  ProtocolId protocol{};
+/// A session, and by what it was run.
+struct SessionRecord : SessionRow {
   std::string protocolHash;
-  std::int64_t slot = 0;
   std::string appVersion;
-  std::string startedUtc;
-  std::optional<std::string> endedUtc;
-  std::string site = {};  ///< empty in a study of one machine
 
   bool isCompleted() const noexcept { return state == SessionState::Completed; }
 };

@@ -23,11 +23,12 @@ constexpr const char* kNoStationColumns = "'', ''";
 constexpr const char* kFromClause =
     " FROM session AS s JOIN participant AS p ON p.id = s.participant_id ";
 
-/// The statement for sessions. A file of an older format that was opened for reading only has no
-/// columns of stations.
-std::string selectFrom(const Database& database) {
+}  // namespace
+
+std::string selectSessions(const Database& database, const std::string& moreColumns) {
   const bool hasStations = database.hasColumn("session", "station");
-  return std::string(kSelect) + (hasStations ? kStationColumns : kNoStationColumns) + kFromClause;
+  return std::string(kSelect) + (hasStations ? kStationColumns : kNoStationColumns) + moreColumns +
+         kFromClause;
 }
 
 SessionRow sessionIn(const Statement& row) {
@@ -57,8 +58,6 @@ SessionRow sessionIn(const Statement& row) {
       .endedUtc = row.optionalText(13),
       .endReason = row.optionalText(14)};
 }
-
-}  // namespace
 
 const char* sealedColumn(const Database& database) {
   return database.hasTable("wrapped_key") ? "a.sealed" : "NULL";
@@ -184,8 +183,6 @@ void SessionRepository::addSteps(const SessionRow& session, const std::vector<St
       database_,
       "INSERT INTO step (session_id, step, kind, phase, instrument, item_set, position, label) "
       "VALUES (?,?,?,?,?,?,?,?)");
-  Statement allocation(
-      database_, "INSERT INTO allocation (session_id, step, condition, sealed) VALUES (?,?,?,?)");
   std::int64_t number = 0;
   for (const auto& step : steps) {
     insert.bind(1, id)
@@ -197,17 +194,7 @@ void SessionRepository::addSteps(const SessionRow& session, const std::vector<St
         .bind(7, std::int64_t{step.position})
         .bind(8, std::int64_t{step.label});
     insert.run();
-    if (!step.condition.empty()) {
-      allocation.bind(1, id).bind(2, number);
-      if (key == nullptr) {
-        allocation.bind(3, step.condition).bindNull(4);
-      } else {
-        const auto sealed =
-            sealCondition(*key, session.id, static_cast<int>(number), step.condition);
-        allocation.bind(3, std::string_view("")).bind(4, std::span(sealed));
-      }
-      allocation.run();
-    }
+    if (!step.condition.empty()) addCondition(database_, session.id, number, step.condition, key);
     ++number;
   }
 }
@@ -229,7 +216,7 @@ void SessionRepository::update(const SessionRow& session) {
 }
 
 SessionRow SessionRepository::load(SessionId id) const {
-  Statement select(database_, selectFrom(database_) + "WHERE s.id = ?");
+  Statement select(database_, selectSessions(database_) + "WHERE s.id = ?");
   select.bind(1, static_cast<std::int64_t>(id));
   if (!select.step()) {
     throw StorageError(
@@ -239,7 +226,7 @@ SessionRow SessionRepository::load(SessionId id) const {
 }
 
 std::vector<SessionRow> SessionRepository::all() const {
-  Statement select(database_, selectFrom(database_) + "ORDER BY s.id");
+  Statement select(database_, selectSessions(database_) + "ORDER BY s.id");
   std::vector<SessionRow> sessions;
   while (select.step()) sessions.push_back(sessionIn(select));
   return sessions;
@@ -302,10 +289,27 @@ bool SessionRepository::isSealed(SessionId session) const {
   return !open.bind(1, static_cast<std::int64_t>(session)).step();
 }
 
-std::vector<std::pair<int, std::string>> SessionRepository::allocation(SessionId session) const {
+void addCondition(
+    Database& study,
+    SessionId session,
+    std::int64_t step,
+    const std::string& condition,
+    const SealingKey* key) {
+  Statement insert(
+      study, "INSERT INTO allocation (session_id, step, condition, sealed) VALUES (?,?,?,?)");
+  insert.bind(1, static_cast<std::int64_t>(session)).bind(2, step);
+  if (key == nullptr) {
+    insert.bind(3, condition).run();
+  } else {
+    const auto sealed = sealCondition(*key, session, static_cast<int>(step), condition);
+    insert.bind(3, std::string_view("")).bind(4, std::span(sealed)).run();
+  }
+}
+
+std::vector<std::pair<int, std::string>> allocationOf(const Database& study, SessionId session) {
   Statement select(
-      database_,
-      std::string("SELECT step, condition, ") + sealedColumn(database_) +
+      study,
+      std::string("SELECT step, condition, ") + sealedColumn(study) +
           " FROM allocation AS a WHERE session_id = ? ORDER BY step");
   select.bind(1, static_cast<std::int64_t>(session));
   std::vector<std::pair<int, std::string>> result;
@@ -313,8 +317,7 @@ std::vector<std::pair<int, std::string>> SessionRepository::allocation(SessionId
     const int step = static_cast<int>(select.number(0));
     const auto sealed = select.blob(2);
     result.emplace_back(
-        step,
-        sealed.empty() ? select.text(1) : openCondition(database_.key(), session, step, sealed));
+        step, sealed.empty() ? select.text(1) : openCondition(study.key(), session, step, sealed));
   }
   return result;
 }

@@ -13,6 +13,8 @@
 
 namespace study::storage {
 
+class Statement;
+
 /// The state of a participant's place in the design.
 enum class SlotState {
   Reserved,  ///< by a participant who has begun
@@ -87,10 +89,6 @@ class SessionRepository {
   /// that were broken off are not changed.
   void markRepeated(SessionId session, int step, const std::string& utc, const std::string& reason);
 
-  /// The stored condition of every step that has one, with the index of the step.
-  /// @throws StorageError  if conditions are sealed and the key is not available.
-  std::vector<std::pair<int, std::string>> allocation(SessionId session) const;
-
   /// Whether all conditions of the session are sealed with the study's key.
   bool isSealed(SessionId session) const;
 
@@ -100,6 +98,26 @@ class SessionRepository {
 
   Database& database_;
 };
+
+/// The statement for sessions, to which a condition and an order may be added. Its columns are
+/// those that sessionIn() reads, and @p moreColumns, which begin with a comma. A file of an older
+/// format that was opened for reading only has no columns of stations.
+std::string selectSessions(const Database& database, const std::string& moreColumns = {});
+inline constexpr int kSessionColumnCount = 17;
+SessionRow sessionIn(const Statement& row);
+
+/// Stores the condition of a step.
+/// @param key  seals the condition; nullptr: it is stored unsealed
+void addCondition(
+    Database& study,
+    SessionId session,
+    std::int64_t step,
+    const std::string& condition,
+    const SealingKey* key);
+
+/// The stored condition of every step that has one, with the index of the step.
+/// @throws StorageError  if conditions are sealed and the key is not available.
+std::vector<std::pair<int, std::string>> allocationOf(const Database& study, SessionId session);
 
 /// The column of the table allocation AS a with sealed conditions; NULL in a file of an older
 /// format that was opened for reading only.

@@ -60,95 +60,79 @@ std::optional<std::string> opened(
   return database.key()->open(sealed, placeOf(visit, number));
 }
 
+/// The size of the samples of a chunk, unsealed [bytes].
+std::size_t sizeOf(const TraceChunk& chunk) noexcept {
+  return static_cast<std::size_t>(chunk.samples) * sizeIn(chunk.layout);
+}
+
+TraceChunk chunkOf(const VisitKey& visit, int number, const std::vector<TraceSample>& samples) {
+  const std::int64_t layout = std::any_of(samples.begin(), samples.end(), hasTorque) ? 2 : 1;
+  const std::size_t size = sizeIn(layout);
+  TraceChunk chunk{
+      .step = visit.step,
+      .attempt = visit.attempt,
+      .number = number,
+      .samples = static_cast<std::int64_t>(samples.size()),
+      .layout = layout,
+      .data = std::vector<std::byte>(samples.size() * size),
+      .hash = {}};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    std::memcpy(chunk.data.data() + i * size, &samples[i], size);
+  }
+  chunk.hash = asBytes(hashOf(chunk.data));
+  return chunk;
+}
+
 }  // namespace
-
-/// A chunk of samples in its stored form.
-struct TraceStore::Chunk {
-  explicit Chunk(const std::vector<TraceSample>& written)
-      : samples(static_cast<std::int64_t>(written.size())),
-        layout(std::any_of(written.begin(), written.end(), hasTorque) ? 2 : 1),
-        bytes(written.size() * sizeIn(layout)) {
-    const std::size_t size = sizeIn(layout);
-    for (std::size_t i = 0; i < written.size(); ++i) {
-      std::memcpy(bytes.data() + i * size, &written[i], size);
-    }
-    hash = hashOf(bytes);
-  }
-
-  /// Seals the bytes and hashes the sealed bytes. A hash of the samples could be compared with that
-  /// of a simulation, and reveal the condition.
-  void seal(const SealingKey& key, const std::string& place) {
-    bytes = key.sealDeterministically(textOf(bytes), place);
-    layout += kSealed;
-    hash = hashOf(bytes);
-  }
-
-  std::int64_t samples;
-  std::int64_t layout;
-  std::vector<std::byte> bytes;
-  Hash hash{};
-};
 
 void TraceStore::add(
     const VisitKey& visit, int number, const std::vector<TraceSample>& samples, Sealing sealing) {
-  Chunk chunk(samples);
+  auto chunk = chunkOf(visit, number, samples);
   if (sealing == Sealing::IfThereIsAKey && database_.key() != nullptr) {
-    chunk.seal(*database_.key(), placeOf(visit, number));
+    chunk = sealed(chunk, visit.session, *database_.key());
   }
   try {
-    insert(visit, number, chunk);
+    Transaction transaction(database_);
+    addChunk(database_, visit.session, chunk);
+    transaction.commit();
   } catch (const StorageError&) {
     // The commit may have succeeded although it reported an error: read the chunk back.
-    if (!holds(visit, number, chunk)) throw;
+    if (!holds(visit, chunk)) throw;
   }
 }
 
-void TraceStore::insert(const VisitKey& visit, int number, const Chunk& chunk) {
-  Transaction transaction(database_);
-  Statement insert(
-      database_,
-      "INSERT INTO chunk (session_id, step, attempt, number, samples, layout, data, hash) "
-      "VALUES (?,?,?,?,?,?,?,?)");
-  insert.bind(1, visit);
-  insert.bind(4, std::int64_t{number})
-      .bind(5, chunk.samples)
-      .bind(6, chunk.layout)
-      .bind(7, std::span<const std::byte>(chunk.bytes))
-      .bind(8, std::span<const std::byte>(chunk.hash));
-  insert.run();
-  transaction.commit();
-}
-
-bool TraceStore::holds(const VisitKey& visit, int number, const Chunk& chunk) const {
+bool TraceStore::holds(const VisitKey& visit, const TraceChunk& chunk) const {
   Statement select(
       database_,
       "SELECT hash FROM chunk "
       "WHERE session_id = ? AND step = ? AND attempt = ? AND number = ?");
   select.bind(1, visit);
-  select.bind(4, std::int64_t{number});
-  return select.step() && select.blob(0) == asBytes(chunk.hash);
+  select.bind(4, chunk.number);
+  return select.step() && select.blob(0) == chunk.hash;
+}
+
+std::vector<TraceChunk> TraceStore::intactChunks(const VisitKey& visit) const {
+  auto chunks = chunksOf(database_, visit);
+  std::int64_t expected = 0;
+  for (const auto& chunk : chunks) {
+    const bool isSound = sizeIn(chunk.layout) > 0 && chunk.number == expected &&
+                         chunk.hash == asBytes(hashOf(chunk.data)) &&
+                         (isSealed(chunk.layout) || chunk.data.size() == sizeOf(chunk));
+    if (!isSound) failAt(expected);
+    ++expected;
+  }
+  return chunks;
 }
 
 std::vector<TraceSample> TraceStore::read(const VisitKey& visit) const {
-  Statement select(
-      database_,
-      "SELECT data, hash, samples, number, layout FROM chunk "
-      "WHERE session_id = ? AND step = ? AND attempt = ? ORDER BY number");
-  select.bind(1, visit);
   std::vector<TraceSample> samples;
-  for (std::int64_t expected = 0; select.step(); ++expected) {
-    const auto stored = select.blob(0);
-    const auto count = static_cast<std::size_t>(select.number(2));
-    const std::size_t size = sizeIn(select.number(4));
-    const bool isAsStored = select.blob(1) == asBytes(hashOf(stored));
-    const auto bytes = !isSealed(select.number(4)) ? std::optional(std::string(textOf(stored)))
-                       : isAsStored                ? opened(database_, stored, visit, expected)
-                                                   : std::nullopt;
-    const bool isSound = size > 0 && select.number(3) == expected && isAsStored && bytes &&
-                         bytes->size() == count * size;
-    if (!isSound) failAt(expected);
-    for (std::size_t i = 0; i < count; ++i) {
-      std::memcpy(&samples.emplace_back(), bytes->data() + i * size, size);
+  for (const auto& chunk : intactChunks(visit)) {
+    const auto bytes = isSealed(chunk.layout) ? opened(database_, chunk.data, visit, chunk.number)
+                                              : std::string(textOf(chunk.data));
+    if (!bytes || bytes->size() != sizeOf(chunk)) failAt(chunk.number);
+    const std::size_t size = sizeIn(chunk.layout);
+    for (std::size_t at = 0; at < bytes->size(); at += size) {
+      std::memcpy(&samples.emplace_back(), bytes->data() + at, size);
     }
   }
   return samples;
@@ -161,22 +145,8 @@ void TraceStore::failAt(std::int64_t chunk) const {
 
 std::int64_t TraceStore::intactSampleCount(const VisitKey& visit) const {
   if (database_.key() != nullptr) return static_cast<std::int64_t>(read(visit).size());
-  Statement select(
-      database_,
-      "SELECT data, hash, samples, number, layout FROM chunk "
-      "WHERE session_id = ? AND step = ? AND attempt = ? ORDER BY number");
-  select.bind(1, visit);
   std::int64_t samples = 0;
-  for (std::int64_t expected = 0; select.step(); ++expected) {
-    const auto size = static_cast<std::int64_t>(sizeIn(select.number(4)));
-    const auto stored = select.blob(0);
-    const auto count = select.number(2);
-    const bool isSound =
-        size > 0 && select.number(3) == expected && select.blob(1) == asBytes(hashOf(stored)) &&
-        (isSealed(select.number(4)) || static_cast<std::int64_t>(stored.size()) == count * size);
-    if (!isSound) failAt(expected);
-    samples += count;
-  }
+  for (const auto& chunk : intactChunks(visit)) samples += chunk.samples;
   return samples;
 }
 

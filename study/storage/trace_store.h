@@ -28,6 +28,17 @@ struct TraceSample {
   float torque = 0.0F;             ///< sent to the device after limiting [N·m]
 };
 
+/// A chunk as a row of the table.
+struct TraceChunk {
+  int step = 0;
+  int attempt = 1;
+  std::int64_t number = 0;
+  std::int64_t samples = 0;
+  std::int64_t layout = 0;
+  std::vector<std::byte> data;
+  std::vector<std::byte> hash;
+};
+
 /// traces.db: the samples of a trial in chunks of about one second, each complete and with a hash.
 /// Chunks that are sealed with the study's key have layout 3 or 4 in place of 1 or 2. A power
 /// failure loses only the chunk in progress. A connection may be used by one thread only.
@@ -69,25 +80,14 @@ class TraceStore {
   Database& database() noexcept { return database_; }
 
  private:
-  struct Chunk;
-  void insert(const VisitKey& visit, int number, const Chunk& chunk);
+  /// The chunks of a trial. @throws StorageError  (Damaged) as read()
+  std::vector<TraceChunk> intactChunks(const VisitKey& visit) const;
   /// Throws StorageError (Damaged) that names the second of the trial.
   [[noreturn]] void failAt(std::int64_t chunk) const;
   /// Whether this chunk is stored.
-  bool holds(const VisitKey& visit, int number, const Chunk& chunk) const;
+  bool holds(const VisitKey& visit, const TraceChunk& chunk) const;
 
   Database database_;
-};
-
-/// A chunk as a row of the table, to be copied to another file.
-struct TraceChunk {
-  int step = 0;
-  int attempt = 1;
-  std::int64_t number = 0;
-  std::int64_t samples = 0;
-  std::int64_t layout = 0;
-  std::vector<std::byte> data;
-  std::vector<std::byte> hash;
 };
 
 /// The chunks of a visit, in order. @param traces  traces.db

@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "study/storage/keys/sealed_condition.h"
@@ -15,15 +14,6 @@
 namespace study::storage {
 
 namespace {
-
-// The columns that are sealed, in the order in which they are written to the sealed text.
-constexpr std::string_view kMeasured =
-    "verdict, verdict_reason, duration_s, ticks, nominal_rate_hz, achieved_rate_hz, "
-    "lateness_p50_us, lateness_p99_us, lateness_max_us, late_ticks, lost_samples, invalid_ticks, "
-    "saturated_s, slewed_s, undefined_s, contact_s, largest_force_n, cuts";
-constexpr std::string_view kMeasuredOfCut =
-    "interception_travel, interception_n, yield_travel, yield_n, bottom_out_travel, bottom_out_n, "
-    "opening_travel, opening_n, peak_n";
 
 template <typename Value>
 NamedRowValue valueOf(const std::optional<Value>& value) {
@@ -90,31 +80,19 @@ VisitKey visitOf(SessionId session, const NamedRow& row) {
       session, static_cast<int>(numberIn(row, "step")), static_cast<int>(numberIn(row, "attempt"))};
 }
 
-std::string prefixOf(std::int64_t cut) {
-  return "cut_" + std::to_string(cut) + "_";
-}
-
 /// The measured values in JSON, by columns of trial and of cut; missing values are left out.
 std::string measurementsAsJson(const NamedRow& trial, const std::vector<NamedRow>& cuts) {
-  base::NamedArguments values;
-  const auto addAll =
-      [&](const NamedRow& row, std::string_view columns, const std::string& prefix) {
-        for (const auto& column : namesIn(columns)) {
-          std::visit(
-              [&](const auto& held) {
-                if constexpr (!std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
-                  values.emplace_back(prefix + column, held);
-                }
-              },
-              row.at(column));
-        }
-      };
-  addAll(trial, kMeasured, "");
-  for (const auto& cut : cuts) addAll(cut, kMeasuredOfCut, prefixOf(numberIn(cut, "number")));
+  auto values = presentValues(trial, namesIn(kMeasuredColumns));
+  for (const auto& cut : cuts) {
+    const auto prefix = prefixOfCut(numberIn(cut, "number"));
+    for (auto& [name, value] : presentValues(cut, namesIn(kMeasuredColumnsOfCut))) {
+      values.emplace_back(prefix + name, std::move(value));
+    }
+  }
   return asJson(values);
 }
 
-/// The inverse of measured().
+/// The inverse of measurementsAsJson().
 void fillIn(NamedRow& trial, std::vector<NamedRow>& cuts, const base::NamedArguments& values) {
   const auto fill = [&](NamedRow& row, std::string_view columns, const std::string& prefix) {
     for (const auto& column : namesIn(columns)) {
@@ -124,10 +102,10 @@ void fillIn(NamedRow& trial, std::vector<NamedRow>& cuts, const base::NamedArgum
       }
     }
   };
-  fill(trial, kMeasured, "");
+  fill(trial, kMeasuredColumns, "");
   for (std::int64_t number = 1; number <= numberIn(trial, "cuts"); ++number) {
     NamedRow cut{{"step", trial.at("step")}, {"attempt", trial.at("attempt")}, {"number", number}};
-    fill(cut, kMeasuredOfCut, prefixOf(number));
+    fill(cut, kMeasuredColumnsOfCut, prefixOfCut(number));
     cuts.push_back(std::move(cut));
   }
 }

@@ -21,6 +21,20 @@ inline constexpr std::string_view kCutColumns =
     "step, attempt, number, interception_travel, interception_n, yield_travel, yield_n, "
     "bottom_out_travel, bottom_out_n, opening_travel, opening_n, peak_n";
 
+/// The columns that are sealed, in the order in which they are written to the sealed text.
+inline constexpr std::string_view kMeasuredColumns =
+    "verdict, verdict_reason, duration_s, ticks, nominal_rate_hz, achieved_rate_hz, "
+    "lateness_p50_us, lateness_p99_us, lateness_max_us, late_ticks, lost_samples, invalid_ticks, "
+    "saturated_s, slewed_s, undefined_s, contact_s, largest_force_n, cuts";
+inline constexpr std::string_view kMeasuredColumnsOfCut =
+    "interception_travel, interception_n, yield_travel, yield_n, bottom_out_travel, bottom_out_n, "
+    "opening_travel, opening_n, peak_n";
+
+/// What is before the name of a column of cut @p number in the sealed text of a trial.
+inline std::string prefixOfCut(std::int64_t number) {
+  return "cut_" + std::to_string(number) + "_";
+}
+
 /// Trials and their cuts, unsealed, even if they are sealed in a file.
 struct UnsealedTrialRows {
   std::vector<NamedRow> trials;

@@ -21,6 +21,7 @@
 #include "study/model/user_error.h"
 #include "study/storage/evidence/trail_heads.h"
 #include "study/storage/hasher.h"
+#include "study/storage/stored_values.h"
 #include "study/words/counted.h"
 
 extern char** environ;
@@ -41,9 +42,10 @@ struct ProcessOutput {
 /// Runs a program of the operating system, without a shell.
 ProcessOutput run(std::vector<std::string> texts) {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0)
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw UserError(
         "The program could not be started: too many open files. Close programs, and try again.");
+  }
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -216,15 +218,9 @@ int storeReply(Study& study, const TimeStampArguments& options) {
   throw UserError(options.reply + " answers no request of this study: " + whyNot);
 }
 
-std::string textOf(const storage::Event& event, std::string_view name) {
-  const auto* value = event.value(name);
-  const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
-  return text == nullptr ? std::string() : *text;
-}
-
 /// The authority's reply that an event of the audit trail holds; empty if it is damaged.
 std::string replyIn(const storage::Event& event) {
-  const auto bytes = storage::fromBase64(textOf(event, "reply"));
+  const auto bytes = storage::fromBase64(storage::storedText(event.values, "reply"));
   if (!bytes) return {};
   return {reinterpret_cast<const char*>(bytes->data()), bytes->size()};
 }
@@ -296,12 +292,13 @@ void checkTimeStamps(Study& study, const std::string& certificate, Verification&
     if (event.kind != EventKind::TimeStamped) continue;
     ++stamps;
     if (certificate.empty()) continue;
-    const auto line = textOf(event, "head");
+    const auto line = storage::storedText(event.values, "head");
     const auto head = storage::headIn(line);
     const auto timeStamp = verifyReply(line, replyIn(event), certificate);
     if (!head || !trail.holds(*head)) {
       check.problems.push_back(
-          "a head that was stamped on " + textOf(event, "utc") + " is not in the trail");
+          "a head that was stamped on " + storage::storedText(event.values, "utc") +
+          " is not in the trail");
     } else if (timeStamp.utc.empty()) {
       check.problems.push_back(
           fmt::format("the one of {} events: {}", head->events, timeStamp.whyNot));

@@ -16,6 +16,7 @@
 #include "study/export/public_people.h"
 #include "study/model/user_error.h"
 #include "study/session/study.h"
+#include "study/storage/hasher.h"
 #include "study/storage/protocol_repository.h"
 
 namespace study::collect {
@@ -50,12 +51,9 @@ std::vector<std::byte> bytesOf(const storage::BlindingSecret& secret) {
 }
 
 storage::BlindingSecret secretOf(const StudyOnServer& study) {
-  storage::BlindingSecret::Bytes bytes{};
-  if (study.secret.size() != bytes.size()) throw UserError("The study's secret is damaged.");
-  std::transform(study.secret.begin(), study.secret.end(), bytes.begin(), [](std::byte b) {
-    return std::to_integer<unsigned char>(b);
-  });
-  return storage::BlindingSecret(bytes);
+  const auto bytes = storage::fixedBytes<storage::BlindingSecret::Bytes>(study.secret);
+  if (!bytes) throw UserError("The study's secret is damaged.");
+  return storage::BlindingSecret(*bytes);
 }
 
 /// The background questions whose answers analysts see, in bands as in an export

@@ -1,7 +1,5 @@
 #include "study/collect/exchange/server_reader.h"
 
-#include <algorithm>
-
 #include "protocols/load_protocol.h"
 #include "study/collect/exchange/protocol_files.h"
 #include "study/collect/server/schema.h"
@@ -88,16 +86,12 @@ Rows ServerReader::query(const std::string& statement, const std::vector<Paramet
 CollectedStudy::Origin ServerReader::origin() {
   const auto rows =
       query("SELECT uuid, seed, secret, created FROM palpate.pull_study($1)", {ticket_});
-  const auto secret = rows.bytes(0, 2);
-  storage::BlindingSecret::Bytes bytes{};
-  if (secret.size() != bytes.size()) refuseStudy("the secret of its orders");
-  std::transform(secret.begin(), secret.end(), bytes.begin(), [](std::byte b) {
-    return std::to_integer<unsigned char>(b);
-  });
+  const auto secret = storage::fixedBytes<storage::BlindingSecret::Bytes>(rows.bytes(0, 2));
+  if (!secret) refuseStudy("the secret of its orders");
   return {
       .uuid = rows.text(0, 0),
       .seed = std::strtoull(rows.text(0, 1).c_str(), nullptr, 10),
-      .secret = storage::BlindingSecret(bytes),
+      .secret = storage::BlindingSecret(*secret),
       .createdUtc = rows.text(0, 3),
       .protocols = protocols()};
 }
@@ -153,12 +147,11 @@ std::vector<SentKey> ServerReader::keys(const StationRow& station) {
       query("SELECT participant, key FROM palpate.pull_keys($1, $2)", {ticket_, station.id});
   std::vector<SentKey> keys;
   for (int i = 0; i < rows.count(); ++i) {
-    storage::SealingKey::Bytes bytes{};
-    const auto stored = rows.bytes(i, 1);
-    for (std::size_t at = 0; at < std::min(bytes.size(), stored.size()); ++at) {
-      bytes[at] = std::to_integer<unsigned char>(stored[at]);
-    }
-    keys.push_back({.participant = rows.text(i, 0), .key = storage::SealingKey(bytes)});
+    // Nothing can be opened with a damaged key.
+    const auto bytes = storage::fixedBytes<storage::SealingKey::Bytes>(rows.bytes(i, 1));
+    keys.push_back(
+        {.participant = rows.text(i, 0),
+         .key = storage::SealingKey(bytes.value_or(storage::SealingKey::Bytes{}))});
   }
   return keys;
 }

@@ -13,6 +13,7 @@
 #include "study/storage/hasher.h"
 #include "study/storage/protocol_repository.h"
 #include "study/storage/statement.h"
+#include "study/storage/stored_values.h"
 #include "study/storage/study_schema.h"
 
 namespace study::collect {
@@ -46,14 +47,6 @@ storage::IdentityStore storeOf(const std::vector<SentKey>& keys) {
   for (const auto& key : keys) identities.putContentKey(key.participant, key.key);
   transaction.commit();
   return identities;
-}
-
-std::string textOf(const base::NamedArguments& values, std::string_view name) {
-  for (const auto& [key, value] : values) {
-    const auto* text = std::get_if<std::string>(&value);
-    if (key == name && text != nullptr) return *text;
-  }
-  return {};
 }
 
 std::string nameOf(const VisitKey& visit) {
@@ -109,9 +102,9 @@ void StationTrail::checkTrail(
         " events that the server acknowledged are there");
   }
   const auto made = log.valuesOfMadeStudy();
-  const bool isOurs = textOf(made, "site") == station_.site &&
-                      textOf(made, "station") == station_.label &&
-                      textOf(made, "station_uuid") == station_.uuid;
+  const bool isOurs = storage::storedText(made, "site") == station_.site &&
+                      storage::storedText(made, "station") == station_.label &&
+                      storage::storedText(made, "station_uuid") == station_.uuid;
   if (!isOurs && !events_.empty()) {
     problems_.emplace_back("its trail did not begin with the enrolment of this station");
   }

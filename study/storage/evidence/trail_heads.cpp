@@ -12,24 +12,12 @@
 namespace study::storage {
 namespace {
 
-std::string textIn(const base::NamedArguments& values, std::string_view name) {
-  for (const auto& [key, value] : values) {
-    const auto* text = std::get_if<std::string>(&value);
-    if (key == name && text != nullptr) return *text;
-  }
-  return {};
-}
-
 bool isSealedAgain(const SignedHead& head) {
   return head.purpose == study::nameOf(EventKind::ResealedTrail);
 }
 
 std::int64_t numberIn(const base::NamedArguments& values, std::string_view name) {
-  for (const auto& [key, value] : values) {
-    const auto* number = std::get_if<std::int64_t>(&value);
-    if (key == name && number != nullptr) return *number;
-  }
-  return 0;
+  return storedValue<std::int64_t>(values, name).value_or(0);
 }
 
 /// Number and values of all events of @p kind.
@@ -75,7 +63,7 @@ void TrailHeads::readResealed() {
   for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::ResealedTrail))) {
     if (seq != 1) continue;
     previousTrailEvents_ = numberIn(values, "events");
-    previousTrailHead_ = textIn(values, "head");
+    previousTrailHead_ = storedText(values, "head");
   }
   // In a collected study, the heads that stations signed belong to the stations' trails, which were
   // checked when the study was collected.
@@ -106,11 +94,11 @@ void TrailHeads::readSigned() {
             .study = study_,
             .first = firstHash_,
             .events = numberIn(values, "events"),
-            .hash = textIn(values, "hash"),
-            .utc = textIn(values, "utc"),
-            .purpose = textIn(values, "purpose"),
-            .key = textIn(values, "key"),
-            .signature = textIn(values, "signature")}};
+            .hash = storedText(values, "hash"),
+            .utc = storedText(values, "utc"),
+            .purpose = storedText(values, "purpose"),
+            .key = storedText(values, "key"),
+            .signature = storedText(values, "signature")}};
     found.isSound =
         found.head.events == seq - 1 && found.head.hash == hashOf(seq - 1) && found.head.isSigned();
     signed_.push_back(std::move(found));
@@ -125,7 +113,7 @@ void TrailHeads::readAbandonedHeads() {
              each.head.purpose == study::nameOf(EventKind::RestoredCopy);
     });
     if (signature == signed_.end()) continue;
-    std::istringstream names(textIn(event.second, "given_up"));
+    std::istringstream names(storedText(event.second, "given_up"));
     for (std::string name; names >> name;) abandonedHeads_[signature->head.key].insert(name);
   }
 }

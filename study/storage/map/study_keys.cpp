@@ -174,9 +174,9 @@ std::optional<WrappedKey> wrappedKeyIn(const Database& study) {
           {.operations = static_cast<std::uint64_t>(select.number(1)),
            .memory = static_cast<std::uint64_t>(select.number(2))},
       .sealed = select.blob(3)};
-  const auto salt = select.blob(0);
-  if (salt.size() != key.salt.size()) return std::nullopt;
-  std::transform(salt.begin(), salt.end(), key.salt.begin(), std::to_integer<unsigned char>);
+  const auto salt = fixedBytes<decltype(key.salt)>(select.blob(0));
+  if (!salt) return std::nullopt;
+  key.salt = *salt;
   return key;
 }
 

@@ -1,7 +1,6 @@
 #include "study/storage/transfer/event_spool.h"
 
 #include <array>
-#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -22,28 +21,12 @@ constexpr std::array<std::string_view, 1> kSteps{R"sql(
 
 EventSpool::EventSpool(const std::string& path)
     : database_(Database::create(
-          path, {.applicationId = kApplicationId, .name = "a list of events", .steps = kSteps})),
-      insert_(
-          database_,
-          "INSERT INTO event (seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, "
-          "detail, content_hash, sealed, hash) VALUES (?,?,?,?,?,?,?,?,?,?,?,?)") {
+          path, {.applicationId = kApplicationId, .name = "a list of events", .steps = kSteps})) {
   database_.execute("BEGIN");  // never committed, so that no write waits for the disk
 }
 
 void EventSpool::put(const StoredEvent& event) {
-  insert_.bind(1, event.seq)
-      .bind(2, event.session)
-      .bind(3, event.step)
-      .bind(4, event.attempt)
-      .bind(5, event.utc)
-      .bind(6, event.monotonic)
-      .bind(7, event.actor)
-      .bind(8, event.kind)
-      .bind(9, event.detail)
-      .bind(10, std::span<const std::byte>(event.content))
-      .bind(11, std::span<const std::byte>(event.sealed))
-      .bind(12, std::span<const std::byte>(event.hash));
-  insert_.run();
+  insertEvent(database_, event);
   ++count_;
 }
 

@@ -24,7 +24,6 @@ class EventSpool {
 
  private:
   Database database_;
-  Statement insert_;
   std::size_t count_ = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include "study/model/run_mode.h"
 #include "study/storage/keys/sealed_condition.h"
+#include "study/storage/session_repository.h"
 #include "study/storage/statement.h"
 #include "study/storage/trial_repository.h"
 
@@ -65,38 +66,14 @@ std::int64_t protocolIn(const Database& database, const std::string& hash) {
   return select.number(0);
 }
 
-std::vector<std::pair<int, std::string>> openAllocation(const Database& study, SessionId session) {
-  Statement select(
-      study, "SELECT step, condition, sealed FROM allocation WHERE session_id = ? ORDER BY step");
-  select.bind(1, static_cast<std::int64_t>(session));
-  std::vector<std::pair<int, std::string>> conditions;
-  while (select.step()) {
-    const auto step = static_cast<int>(select.number(0));
-    const auto sealed = select.blob(2);
-    conditions.emplace_back(
-        step, sealed.empty() ? select.text(1) : openCondition(study.key(), session, step, sealed));
-  }
-  return conditions;
-}
-
 /// @param key  seals the conditions; nullptr: they are stored unsealed
 void addAllocation(
     Database& study, SessionId session, const SessionTables& facts, const SealingKey* key) {
-  Statement insert(
-      study, "INSERT INTO allocation (session_id, step, condition, sealed) VALUES (?,?,?,?)");
   for (const auto& row : rowsIn(facts, "allocation")) {
     const auto place = row.find("step");
     const auto* step = place == row.end() ? nullptr : std::get_if<std::int64_t>(&place->second);
     if (step == nullptr) refuseRows("a row of allocation has no step");
-    const auto condition = textIn(row, "condition");
-    insert.bind(1, static_cast<std::int64_t>(session)).bind(2, *step);
-    if (key == nullptr) {
-      insert.bind(3, std::string_view(condition)).bindNull(4);
-    } else {
-      const auto sealed = sealCondition(*key, session, static_cast<int>(*step), condition);
-      insert.bind(3, std::string_view("")).bind(4, std::span<const std::byte>(sealed));
-    }
-    insert.run();
+    addCondition(study, session, *step, textIn(row, "condition"), key);
   }
 }
 
@@ -166,7 +143,7 @@ SessionTables sessionTablesOf(const Database& study, SessionId session) {
   onlyRow(facts, "session");
   // Conditions are unsealed here, even if they are sealed in this file.
   auto& allocation = facts["allocation"];
-  for (const auto& [step, condition] : openAllocation(study, session)) {
+  for (const auto& [step, condition] : allocationOf(study, session)) {
     allocation.push_back({{"step", std::int64_t{step}}, {"condition", condition}});
   }
   for (const auto& table : kTables) {

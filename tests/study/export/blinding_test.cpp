@@ -73,7 +73,7 @@ bool isNamedByTheSeed(Study& study, RunMode mode) {
           protocol, study.seed(), "surgeons", static_cast<std::uint64_t>(session.slot())));
   const auto codes = conditionCodes(study, mode);
   std::map<std::string, std::string> guesses;
-  for (const auto& [step, condition] : study.sessions().allocation(session.id())) {
+  for (const auto& [step, condition] : storage::allocationOf(study.database(), session.id())) {
     guesses[codes.at(condition)] = computed.at(static_cast<std::size_t>(step)).condition;
   }
   return std::all_of(codes.begin(), codes.end(), [&](const auto& code) {
@@ -107,7 +107,7 @@ TEST(Blinding, KeepsTheOrdersOfAProtocolThatPromisesThem) {
     const auto& protocol = study->protocol().protocol;
     const auto session = Session::enrol(*study, {.cohort = "surgeons"});
     const auto plan = sessionPlan(protocol, protocols::scheduleFor(protocol, 5, "surgeons", 0));
-    for (const auto& [step, condition] : study->sessions().allocation(session.id())) {
+    for (const auto& [step, condition] : storage::allocationOf(study->database(), session.id())) {
       EXPECT_EQ(plan.at(static_cast<std::size_t>(step)).condition, condition);
     }
   }

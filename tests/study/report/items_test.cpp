@@ -60,7 +60,10 @@ struct Answered {
     int number = 0;
     for (const auto* cohort : {"surgeons", "surgeons", "surgeons", "students"}) {
       const SessionId id{++number};
-      sessions[id] = {.id = id, .participant = "P" + std::to_string(number), .cohort = cohort};
+      auto& session = sessions[id];
+      session.id = id;
+      session.participant = "P" + std::to_string(number);
+      session.cohort = cohort;
     }
   }
 

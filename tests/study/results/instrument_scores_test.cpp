@@ -16,7 +16,9 @@ class InstrumentScoresTest : public testing::Test {
     questionnaires::Problems problems;
     loaded_ = *protocols::loadProtocolFile("reaming-hardness", problems);
     for (int i = 1; i <= 2; ++i) {
-      storage::SessionRecord session{.id = SessionId{i}, .cohort = "students"};
+      storage::SessionRecord session;
+      session.id = SessionId{i};
+      session.cohort = "students";
       session.participant = "P" + std::to_string(i);
       sessions_[session.id] = session;
     }

@@ -119,7 +119,7 @@ TEST_F(ResumeTest, RefusesAnOrderThatIsNotTheOneThatWasDrawn) {
   const auto id = session_->id();
   session_.reset();
   // As who has the key could.
-  for (const auto& [step, condition] : study_->sessions().allocation(id)) {
+  for (const auto& [step, condition] : storage::allocationOf(study_->database(), id)) {
     if (condition != "interpolation") continue;
     const auto sealed = storage::sealCondition(*study_->database().key(), id, step, "kalman");
     storage::Statement update(

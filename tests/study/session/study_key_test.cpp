@@ -46,7 +46,7 @@ TEST_F(SealedStudy, HasConditionsThatOnlyTheKeyOpens) {
   EXPECT_EQ(sql.number("SELECT count(*) FROM allocation WHERE condition <> ''"), 0);
   EXPECT_GT(sql.number("SELECT count(*) FROM allocation WHERE sealed IS NOT NULL"), 5);
   EXPECT_EQ(sql.number("SELECT count(DISTINCT length(sealed)) FROM allocation"), 1);
-  for (const auto& [step, condition] : study_->sessions().allocation(SessionId{1})) {
+  for (const auto& [step, condition] : storage::allocationOf(study_->database(), SessionId{1})) {
     EXPECT_NE(study_->protocol().protocol.condition(condition), nullptr) << condition;
   }
 }
@@ -172,7 +172,8 @@ TEST_F(SealedStudy, NoticesAConditionThatWasChangedOrMoved) {
     tests::Sql(study_.file("study.db")).run(sql);
     study_.reopen();
     EXPECT_FALSE(verify(*study_).isSound()) << sql;
-    EXPECT_THROW(study_->sessions().allocation(SessionId{1}), storage::StorageError) << sql;
+    EXPECT_THROW(storage::allocationOf(study_->database(), SessionId{1}), storage::StorageError)
+        << sql;
   };
   changed(
       "UPDATE allocation SET sealed = (SELECT b.sealed FROM allocation AS b WHERE b.step > "
