@@ -1,6 +1,7 @@
 #include "study/app/command_options.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 
@@ -32,6 +33,13 @@ protocols::LoadedProtocol loadValidProtocol(const std::string& file) {
     throw UserError(file + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
   }
   return std::move(*loaded);
+}
+
+std::optional<protocols::LoadedProtocol> loadOrPrintProblems(const std::string& file) {
+  questionnaires::Problems problems;
+  auto loaded = protocols::loadProtocolFile(file, problems);
+  if (!loaded) std::fputs(questionnaires::describe(problems.all()).c_str(), stderr);
+  return loaded;
 }
 
 void addRunModeOption(CLI::App& command, std::string& name) {

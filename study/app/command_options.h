@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -51,6 +52,9 @@ void addProtocolFile(CLI::App& command, std::string& file, const char* name = "F
 
 /// The protocol in a file or in the library. @throws UserError  with all problems of the file.
 protocols::LoadedProtocol loadValidProtocol(const std::string& file);
+
+/// The protocol in a file or in the library; std::nullopt after printing all problems of the file.
+std::optional<protocols::LoadedProtocol> loadOrPrintProblems(const std::string& file);
 
 /// Adds --run-mode to @p command.
 void addRunModeOption(CLI::App& command, std::string& name);

@@ -149,12 +149,8 @@ void printOrders(
 }
 
 int orders(const OrdersArguments& options) {
-  questionnaires::Problems problems;
-  const auto loaded = protocols::loadProtocolFile(options.file, problems);
-  if (!loaded) {
-    std::fputs(questionnaires::describe(problems.all()).c_str(), stderr);
-    return 1;
-  }
+  const auto loaded = loadOrPrintProblems(options.file);
+  if (!loaded) return 1;
   const auto& protocol = loaded->protocol;
   const std::uint64_t seed = options.seed.value_or(protocol.seed.value_or(1));
   if (!options.csv && !options.seed && !protocol.seed) {

@@ -13,7 +13,6 @@
 #include "haptics/engine/model_names.h"
 #include "haptics/engine/passivity.h"
 #include "haptics/engine/rendered_slope.h"
-#include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/app/command_options.h"
 #include "study/app/json_file.h"
@@ -184,14 +183,6 @@ void print(
   printPassivity(scene, slope, device);
   printTorque(scene, device);
   printJumps(haptics::engine::jumpsOf(*condition.model), *device.kind);
-}
-
-/// The protocol; std::nullopt after printing its problems.
-std::optional<protocols::LoadedProtocol> loadOrPrintProblems(const std::string& file) {
-  questionnaires::Problems problems;
-  auto protocol = protocols::loadProtocolFile(file, problems);
-  if (!protocol) std::fputs(questionnaires::describe(problems.all()).c_str(), stderr);
-  return protocol;
 }
 
 const protocols::Condition& conditionOf(

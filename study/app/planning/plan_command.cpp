@@ -6,7 +6,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "protocols/load_protocol.h"
 #include "study/app/command_options.h"
 #include "study/app/planning/study_plan_file.h"
 
@@ -39,12 +38,8 @@ int plan(PlanArguments options) {
   if (options.sites) {
     options.planOptions.sites = {.sites = *options.sites, .deviation = options.siteDeviation};
   }
-  questionnaires::Problems problems;
-  const auto loaded = protocols::loadProtocolFile(options.file, problems);
-  if (!loaded) {
-    std::fputs(questionnaires::describe(problems.all()).c_str(), stderr);
-    return 1;
-  }
+  const auto loaded = loadOrPrintProblems(options.file);
+  if (!loaded) return 1;
   const auto found = planOf(*loaded, options.planOptions);
   std::fputs((options.json ? studyPlanAsJson(found) : studyPlanAsText(found)).c_str(), stdout);
   return 0;
