@@ -159,10 +159,8 @@ Chart roundTripChart(const std::vector<LinkSeries>& sweep) {
   return chart;
 }
 
-Cell medianOf(std::vector<double> values) {
-  if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+Cell medianOf(const std::vector<double>& values) {
+  return values.empty() ? Cell() : Cell(quantile(values, 0.5));
 }
 
 DataTable stallTable(const std::vector<StallSeries>& stalls) {

@@ -53,6 +53,12 @@ Cell numberCell(const std::optional<double>& value) {
   return cellOf(value);
 }
 
+double quantile(std::vector<double> values, double q) {
+  std::sort(values.begin(), values.end());
+  const auto place = static_cast<std::size_t>(q * static_cast<double>(values.size()));
+  return values.at(std::min(place, values.size() - 1));
+}
+
 std::string asPlainText(const DataTable& table) {
   std::vector<std::vector<std::string>> lines(1);
   for (const auto& column : table.columns) lines.front().push_back(column.description);

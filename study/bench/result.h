@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "study/model/data_table.h"
 #include "study/report/document.h"
@@ -26,6 +27,9 @@ void printAndWrite(const std::string& folder, const std::string& name, report::D
 
 /// The cell for a measured number: empty for std::nullopt, "no number" if it is infinite or NaN.
 Cell numberCell(const std::optional<double>& value);
+
+/// The value below which the share @p q of @p values lies; @p q from 0 to below 1.
+double quantile(std::vector<double> values, double q);
 
 /// A table with aligned columns; numbers have four significant digits. Ends with a line feed.
 std::string asPlainText(const DataTable& table);

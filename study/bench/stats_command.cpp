@@ -1,5 +1,4 @@
 // palpate-bench stats: the time from opening a study's database to the table of comparisons.
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -71,13 +70,6 @@ StatsMeasurement measure(const StatsOptions& options) {
   }
   measured.memory = peakMemory();
   return measured;
-}
-
-/// The value below which the share @p q of @p values lies; @p q from 0 to below 1.
-double quantile(std::vector<double> values, double q) {
-  std::sort(values.begin(), values.end());
-  const auto place = static_cast<std::size_t>(q * static_cast<double>(values.size()));
-  return values[std::min(place, values.size() - 1)];
 }
 
 DataTable timeTable(const StatsMeasurement& measured) {

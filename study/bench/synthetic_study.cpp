@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "base/random.h"
-#include "protocols/load_protocol.h"
 #include "protocols/orders/schedule.h"
+#include "study/app/command_options.h"
 #include "study/model/session_plan.h"
 #include "study/session/session.h"
 #include "study/session/study.h"
@@ -161,12 +161,10 @@ std::int64_t writeSessions(Study& study, std::int64_t answers) {
 }  // namespace
 
 SyntheticStudy makeSyntheticStudy(const std::filesystem::path& parentFolder, std::int64_t answers) {
-  questionnaires::Problems problems;
-  const auto protocol = protocols::loadProtocolFile(kProtocol, problems);
-  if (!protocol) throw std::logic_error(questionnaires::describe(problems.all()));
+  const auto protocol = app::loadValidProtocol(kProtocol);
   SystemClock clock;
   SyntheticStudy made{.folder = parentFolder / "study"};
-  auto study = Study::create(made.folder, *protocol, clock, kSeed);
+  auto study = Study::create(made.folder, protocol, clock, kSeed);
   made.sessions = writeSessions(study, answers);
   study.note(EventKind::Note, "SYNTHETIC: made by palpate bench stats; nobody took part");
   study.database().execute("PRAGMA wal_checkpoint(TRUNCATE)");

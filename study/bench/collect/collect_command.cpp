@@ -1,6 +1,5 @@
 // palpate-bench collect: the speed of a server to which stations send, compared with plain COPY and
 // SQL of the same rows.
-#include <algorithm>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
@@ -19,18 +18,10 @@ struct CollectOptions {
   CollectBenchOptions size;
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.at(values.size() / 2);
-}
-
 IngestSpeed sumOf(const std::vector<IngestSpeed>& parts) {
   IngestSpeed sum;
   for (const auto& part : parts) {
-    sum.sent.answers += part.sent.answers;
-    sum.sent.events += part.sent.events;
-    sum.sent.reading += part.sent.reading;
-    sum.sent.ingesting += part.sent.ingesting;
+    sum.sent += part.sent;
     sum.copying += part.copying;
     sum.copyingAll += part.copyingAll;
   }
@@ -133,8 +124,8 @@ report::Chart growthChart(const CollectMeasurement& measured) {
 }
 
 DataTable countTable(const CollectMeasurement& measured) {
-  const double ours = median(measured.counts.ours);
-  const double bare = median(measured.counts.bare);
+  const double ours = quantile(measured.counts.ours, 0.5);
+  const double bare = quantile(measured.counts.bare, 0.5);
   return {
       .name = "counts",
       .description = "Counts for the pairwise table, by cohort, code and point",

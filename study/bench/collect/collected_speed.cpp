@@ -82,15 +82,6 @@ class PlainCopy {
   fs::path folder_;
 };
 
-void addTo(StationPush& sum, const StationPush& sent) {
-  sum.answers += sent.answers;
-  sum.events += sent.events;
-  sum.traceBytes += sent.traceBytes;
-  sum.reading += sent.reading;
-  sum.ingesting += sent.ingesting;
-  sum.traces += sent.traces;
-}
-
 void send(
     const CollectBenchOptions& size,
     ManyStations& stations,
@@ -109,7 +100,7 @@ void send(
       if (share <= 0) continue;
       const auto push = stations.add(number, share);
       sent += push.answers;
-      addTo(speed.sent, push);
+      speed.sent += push;
       plain.copy(ManyStations::labelOf(number), speed);
     }
   }

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "protocols/load_protocol.h"
+#include "study/app/command_options.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/collect/app/options.h"
 #include "study/collect/exchange/administration.h"
@@ -22,13 +22,6 @@ using collect::Connection;
 constexpr const char* kProtocolOfSites = "punch-counterbalanced";
 constexpr const char* kStudy = "bench";
 constexpr std::uint64_t kSeedOfSites = 20'261'125;
-
-protocols::LoadedProtocol shippedProtocol() {
-  questionnaires::Problems problems;
-  auto protocol = protocols::loadProtocolFile(kProtocolOfSites, problems);
-  if (!protocol) throw std::logic_error(questionnaires::describe(problems.all()));
-  return std::move(*protocol);
-}
 
 std::int64_t answersIn(const storage::SessionTables& facts) {
   const auto rows = facts.find("answer");
@@ -65,7 +58,9 @@ StationPush pushAll(collect::Outbox& outbox, Connection& server) {
 
 ManyStations::ManyStations(
     const collect::PrivateServer& postgres, fs::path folder, int participants)
-    : postgres_(postgres), folder_(std::move(folder)), protocol_(shippedProtocol()) {
+    : postgres_(postgres),
+      folder_(std::move(folder)),
+      protocol_(app::loadValidProtocol(kProtocolOfSites)) {
   Connection owner(postgres_.server());
   collect::installSchema(owner);
   collect::addStudyOrVersion(owner, kStudy, protocol_, kSeedOfSites);

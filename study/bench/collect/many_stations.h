@@ -23,6 +23,16 @@ struct StationPush {
   WorkTime reading;    ///< reading its folder and writing batches
   WorkTime ingesting;  ///< ingest() of events and sessions
   WorkTime traces;     ///< ingest() of samples
+
+  StationPush& operator+=(const StationPush& other) {
+    answers += other.answers;
+    events += other.events;
+    traceBytes += other.traceBytes;
+    reading += other.reading;
+    ingesting += other.ingesting;
+    traces += other.traces;
+    return *this;
+  }
 };
 
 /// A study on a private server, and stations that send sessions of simulated participants to it:

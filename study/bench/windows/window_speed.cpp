@@ -23,7 +23,7 @@
 #include "haptics/engine/built_in_models.h"
 #include "haptics/reaming/packing/packing_builder.h"
 #include "haptics/reaming/packing/solids.h"
-#include "protocols/load_protocol.h"
+#include "study/app/command_options.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/home/home_window.h"
@@ -130,16 +130,15 @@ std::vector<double> measurePageChanges(const std::string& folder) {
       QString::fromStdString(folder) + QStringLiteral("/palpate-bench-XXXXXX"));
   if (!place.isValid()) throw UserError(folder + " takes no folder for the measurement.");
   SystemClock clock;
-  questionnaires::Problems problems;
-  const auto protocol = protocols::loadProtocolFile("punch-face-validity", problems);
+  const auto protocol = app::loadValidProtocol("punch-face-validity");
   auto study =
-      Study::create(place.filePath(QStringLiteral("study")).toStdString(), *protocol, clock, 1);
+      Study::create(place.filePath(QStringLiteral("study")).toStdString(), protocol, clock, 1);
   std::vector<double> waits;
   for (int i = 0; i < kSessions; ++i) {
     gui::OperatorWindow window(study);
     window.show();
     window.enrol(
-        {.cohort = protocol->protocol.cohorts.front().id,
+        {.cohort = protocol.protocol.cohorts.front().id,
          .runMode = RunMode::Pilot,
          .language = "en",
          .code = {}});
@@ -154,14 +153,13 @@ double measureHome(const std::string& folder, int studies) {
   if (!place.isValid()) throw UserError(folder + " takes no folder for the measurement.");
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, place.path());
   SystemClock clock;
-  questionnaires::Problems problems;
-  const auto protocol = protocols::loadProtocolFile("punch-face-validity", problems);
+  const auto protocol = app::loadValidProtocol("punch-face-validity");
   const auto first = place.filePath(QStringLiteral("study")).toStdString();
-  Study::create(first, *protocol, clock, 1);
+  Study::create(first, protocol, clock, 1);
   for (int i = 0; i < studies; ++i) {
     const auto copy = place.filePath(QStringLiteral("study-%1").arg(i));
     std::filesystem::copy(first, copy.toStdString(), std::filesystem::copy_options::recursive);
-    gui::addRecentStudy(copy, QString::fromStdString(protocol->protocol.study.title));
+    gui::addRecentStudy(copy, QString::fromStdString(protocol.protocol.study.title));
   }
   QElapsedTimer time;
   time.start();
