@@ -139,7 +139,7 @@ class VerdictWriter {
         most.votes,
         most.total,
         origin,
-        isAnyVoteSignificant() ? std::string() : "; " + words_("not significant"));
+        isAnyVoteSignificant() ? std::string() : "; " + words_("not significant in any cohort"));
     return asked == nullptr
                ? counted
                : words_.say("“{}”", questionOf(*asked, words_.language())) + " " + counted;

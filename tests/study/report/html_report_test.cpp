@@ -150,7 +150,7 @@ TEST(HtmlReport, BeginsWithAPlainSentence) {
   EXPECT_TRUE(
       has(main,
           "” Interpolation was named most often: 11 of 21 votes (in 2 rounds; "
-          "exploratory; not significant).</p>"));
+          "exploratory; not significant in any cohort).</p>"));
   EXPECT_FALSE(has(main, "preferred"));
   section.results.votes.clear();
   EXPECT_TRUE(has(asHtml({section}), "11 participants rated Interpolation highest. "));
