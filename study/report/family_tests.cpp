@@ -4,6 +4,7 @@
 
 #include "analysis/effects/bayes_factor.h"
 #include "analysis/registry/registry.h"
+#include "study/model/data_table.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
