@@ -243,11 +243,9 @@ class VerdictWriter {
                 .push_back(isPooledOnly ? words_.say("{}, only with pooled answers", who) : who);
       }
     }
-    constexpr std::size_t kMost = 3;  // what a reader keeps in mind
-    if (cohorts.size() > kMost) {
-      return {words_.say(
-          "{} pairs of other alternatives differ significantly as well: see the table.",
-          cohorts.size())};
+    if (cohorts.size() > 1) {  // a list would push the figure off the first page
+      return {
+          words_.say("{} other pairs differ significantly, too: see the table.", cohorts.size())};
     }
     Names sentences;
     for (const auto& [pair, where] : cohorts) {

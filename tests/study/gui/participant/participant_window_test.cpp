@@ -421,7 +421,7 @@ TEST(ParticipantNumbers, StartAgainInTheSecondBlockAndThePageSaysSo) {
   ASSERT_EQ(words.size(), 4U) << "two blocks, each with a preference";
   EXPECT_EQ(words[0], "");
   EXPECT_NE(words[1].find("in the order in which you felt them"), std::string::npos) << words[1];
-  EXPECT_NE(words[1].find("In it the numbers start again."), std::string::npos) << words[1];
+  EXPECT_NE(words[1].find("in which the numbers start again."), std::string::npos) << words[1];
   EXPECT_EQ(
       words[2],
       "The numbers start again: Alternative 1 may now stand for something else than before.");
@@ -432,7 +432,8 @@ TEST(ParticipantNumbers, StayTheSameWhereEachConditionHasItsOwn) {
   const auto words = wordsAboutNumbers("punch-face-validity");
   ASSERT_EQ(words.size(), 4U);
   for (const std::size_t page : {0U, 2U, 3U}) EXPECT_EQ(words[page], "") << page;
-  EXPECT_NE(words[1].find("In it the numbers stay the same."), std::string::npos) << words[1];
+  EXPECT_NE(words[1].find("with the same alternatives by the same numbers."), std::string::npos)
+      << words[1];
 }
 
 /// The published study with an optional repetition of each alternative before the first choice.
