@@ -37,17 +37,17 @@ std::vector<Note> notesOf(const ClassSizes& classes) {
 
 /// Whether names of participants are in what is exported.
 Note noteOf(const NameSearchResult& named, bool hasTexts) {
-  const auto advice =
-      hasTexts ? ExportDialog::tr("Read free texts before you give them away.") : QString();
+  QStringList advice;
+  if (hasTexts) advice << ExportDialog::tr("Read free texts before you give them away.");
   if (named.areLocked) {
     return {
         ExportDialog::tr(
             "Names are behind a passphrase that was not given: none was searched for."),
         Mark::Warning,
-        {advice}};
+        advice};
   }
   if (named.names == 0) {
-    return {ExportDialog::tr("The study keeps no names to search for."), Mark::None, {advice}};
+    return {ExportDialog::tr("The study keeps no names to search for."), Mark::None, advice};
   }
   QStringList where;
   for (const auto& [table, count] : named.cells) {
@@ -63,9 +63,7 @@ Note noteOf(const NameSearchResult& named, bool hasTexts) {
   return {
       ExportDialog::tr("No participant's name was found in these data."),
       Mark::Good,
-      {(ExportDialog::tr("Names of other people were not searched for.") + QLatin1Char(' ') +
-        advice)
-           .trimmed()}};
+      QStringList(ExportDialog::tr("Names of other people were not searched for.")) + advice};
 }
 
 }  // namespace
