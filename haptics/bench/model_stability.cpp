@@ -7,7 +7,7 @@
 
 #include "haptics/bench/stability.h"
 #include "haptics/bench/string_reference.h"
-#include "haptics/reaming/material/piecewise.h"
+#include "haptics/reaming/material/spline.h"
 
 namespace haptics::bench {
 namespace plain {

@@ -9,7 +9,7 @@
 #include "haptics/engine/bucket_table.h"
 #include "haptics/models/hermite_curve.h"
 #include "haptics/models/interpolation.h"
-#include "haptics/reaming/material/piecewise.h"
+#include "haptics/reaming/material/spline.h"
 
 namespace haptics::bench {
 namespace {

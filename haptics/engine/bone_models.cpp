@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "haptics/reaming/material/piecewise.h"
+#include "haptics/reaming/material/spline.h"
 
 namespace haptics::engine {
 namespace {

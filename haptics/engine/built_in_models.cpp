@@ -1,6 +1,6 @@
 #include "haptics/engine/built_in_models.h"
 
-#include "haptics/reaming/material/piecewise.h"
+#include "haptics/reaming/material/spline.h"
 #include "haptics/reaming/packing/packing_builder.h"
 #include "haptics/reaming/packing/solids.h"
 #include "haptics/recordings/cut.h"

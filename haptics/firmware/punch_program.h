@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/firmware/chip_scene.h"
+#include "haptics/firmware/on_device_scene.h"
 #include "haptics/wire/punch_codec.h"
 
 namespace haptics::firmware {

@@ -13,7 +13,7 @@
 #include "haptics/bench/refresh_rate.h"
 #include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
-#include "study/bench/result.h"
+#include "study/bench/print_result.h"
 #include "study/model/user_error.h"
 
 namespace study::bench {

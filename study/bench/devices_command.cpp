@@ -8,7 +8,7 @@
 #include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
 #include "study/bench/devices.h"
-#include "study/bench/result.h"
+#include "study/bench/print_result.h"
 
 namespace study::bench {
 namespace {

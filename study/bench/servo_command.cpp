@@ -12,8 +12,8 @@
 #include "haptics/engine/realtime_loop.h"
 #include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
+#include "study/bench/print_result.h"
 #include "study/bench/recorder.h"
-#include "study/bench/result.h"
 
 namespace study::bench {
 namespace {

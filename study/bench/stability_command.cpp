@@ -11,7 +11,7 @@
 #include "haptics/engine/passivity.h"
 #include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
-#include "study/bench/result.h"
+#include "study/bench/print_result.h"
 
 namespace study::bench {
 namespace {

@@ -12,7 +12,7 @@
 #include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
 #include "study/bench/memory.h"
-#include "study/bench/result.h"
+#include "study/bench/print_result.h"
 #include "study/bench/synthetic_study.h"
 #include "study/model/new_file.h"
 #include "study/results/pooled_results.h"

@@ -8,8 +8,8 @@
 
 #include "study/storage/answer_repository.h"
 #include "study/storage/events_of_release_0_1.h"
-#include "study/storage/fact_rows.h"
 #include "study/storage/keys/sealed_condition.h"
+#include "study/storage/named_rows.h"
 #include "study/storage/statement.h"
 #include "study/storage/stored_values.h"
 #include "study/storage/trial_repository.h"

@@ -9,9 +9,9 @@
 #include "haptics/reaming/material/envelope.h"
 #include "haptics/reaming/material/material.h"
 #include "haptics/reaming/material/node_choice.h"
-#include "haptics/reaming/material/piecewise.h"
 #include "haptics/reaming/material/sampled_curve.h"
 #include "haptics/reaming/material/series.h"
+#include "haptics/reaming/material/spline.h"
 
 namespace haptics::reaming {
 

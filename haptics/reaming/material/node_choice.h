@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "haptics/reaming/material/piecewise.h"
 #include "haptics/reaming/material/sampled_curve.h"
+#include "haptics/reaming/material/spline.h"
 
 namespace haptics::reaming {
 

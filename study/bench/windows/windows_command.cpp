@@ -12,7 +12,7 @@
 #include "questionnaires/json/document.h"
 #include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
-#include "study/bench/result.h"
+#include "study/bench/print_result.h"
 #include "study/bench/windows/window_speed.h"
 #include "study/model/user_error.h"
 

@@ -6,7 +6,7 @@
 
 #include "haptics/reaming/material/material_fit.h"
 #include "study/gui/desk/columns_form.h"
-#include "study/gui/desk/recording_picture.h"
+#include "study/gui/desk/recording_plots.h"
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"
 

@@ -8,8 +8,8 @@
 #include <QRegularExpressionValidator>
 
 #include "protocols/load_protocol.h"
-#include "study/gui/authoring/own_copy.h"
 #include "study/gui/authoring/preview_window.h"
+#include "study/gui/authoring/save_own_protocol.h"
 #include "study/gui/authoring/texts_dialog.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/studio_settings.h"

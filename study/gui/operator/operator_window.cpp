@@ -19,7 +19,7 @@
 #include "study/gui/operator/page_mirror.h"
 #include "study/gui/operator/sessions_page.h"
 #include "study/gui/operator/trial_panel.h"
-#include "study/gui/operator/window_places.h"
+#include "study/gui/operator/window_geometries.h"
 #include "study/gui/participant/questionnaire_page.h"
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/session/trial_view.h"

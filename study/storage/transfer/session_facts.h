@@ -9,7 +9,7 @@
 
 #include "study/model/ids.h"
 #include "study/storage/database.h"
-#include "study/storage/fact_rows.h"
+#include "study/storage/named_rows.h"
 
 namespace study::storage {
 

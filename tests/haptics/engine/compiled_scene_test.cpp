@@ -7,7 +7,7 @@
 
 #include "haptics/engine/bone_models.h"
 #include "haptics/engine/built_in_models.h"
-#include "haptics/reaming/material/piecewise.h"
+#include "haptics/reaming/material/spline.h"
 
 namespace haptics::engine {
 namespace compiled_scene_test {

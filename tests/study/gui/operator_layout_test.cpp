@@ -29,7 +29,7 @@
 #include "study/gui/operator/servo_panel.h"
 #include "study/gui/operator/sessions_page.h"
 #include "study/gui/operator/trial_panel.h"
-#include "study/gui/operator/window_places.h"
+#include "study/gui/operator/window_geometries.h"
 #include "study/gui/session/station_push.h"
 #include "study/gui/widgets/findings_table.h"
 #include "study/model/new_file.h"

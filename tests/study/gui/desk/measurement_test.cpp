@@ -17,7 +17,7 @@
 #include "protocols/reading/packing_file.h"
 #include "study/gui/desk/measurement_dialogs.h"
 #include "study/gui/desk/measurement_work.h"
-#include "study/gui/desk/recording_picture.h"
+#include "study/gui/desk/recording_plots.h"
 #include "study/model/storage_error.h"
 #include "study/model/user_error.h"
 #include "study/session/import_recording.h"

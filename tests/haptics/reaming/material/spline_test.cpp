@@ -1,4 +1,4 @@
-#include "haptics/reaming/material/piecewise.h"
+#include "haptics/reaming/material/spline.h"
 
 #include <cmath>
 #include <numeric>
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::reaming {
-namespace piecewise_test {
+namespace spline_test {
 
 SampledCurve sampled(double (*f)(double), double end, int count) {
   SampledCurve curve;
@@ -126,5 +126,5 @@ TEST(ApproximationError, DistinguishesThePapersErrorFromOneDefinedAtZeroForce) {
   EXPECT_LT(error.rSquared, 1.0);
 }
 
-}  // namespace piecewise_test
+}  // namespace spline_test
 }  // namespace haptics::reaming

@@ -1,4 +1,4 @@
-#include "study/gui/desk/recording_picture.h"
+#include "study/gui/desk/recording_plots.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "study/bench/result.h"
+#include "study/bench/print_result.h"
 
 #include <algorithm>
 #include <cmath>

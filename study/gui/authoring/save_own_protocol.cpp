@@ -1,4 +1,4 @@
-#include "study/gui/authoring/own_copy.h"
+#include "study/gui/authoring/save_own_protocol.h"
 
 #include <QDir>
 #include <QFileDialog>

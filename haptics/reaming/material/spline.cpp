@@ -1,4 +1,4 @@
-#include "haptics/reaming/material/piecewise.h"
+#include "haptics/reaming/material/spline.h"
 
 #include <algorithm>
 #include <cmath>

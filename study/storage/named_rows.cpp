@@ -1,4 +1,4 @@
-#include "study/storage/fact_rows.h"
+#include "study/storage/named_rows.h"
 
 #include <map>
 #include <type_traits>

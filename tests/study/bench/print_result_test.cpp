@@ -1,9 +1,9 @@
-#include "study/bench/result.h"
+#include "study/bench/print_result.h"
 
 #include <gtest/gtest.h>
 
 namespace study::bench {
-namespace result_test {
+namespace print_result_test {
 
 TEST(PlainText, AlignsColumnsByTheirCharacters) {
   const DataTable table{
@@ -18,5 +18,5 @@ TEST(PlainText, AlignsColumnsByTheirCharacters) {
       "  dense LU  –          no\n");
 }
 
-}  // namespace result_test
+}  // namespace print_result_test
 }  // namespace study::bench
