@@ -264,8 +264,7 @@ class TestsWriter : HtmlWriter {
     if (isAnyApart) {
       note(
           "Intervals of δ are approximate: one may leave out 0 where the exact p is above {}. "
-          "Neither "
-          "is corrected for the number of comparisons.",
+          "Neither is corrected for the number of comparisons.",
           exactDecimal(result_.family.alpha));
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "analysis/numerics/determined_unknowns.h"
 #include "analysis/registry/registry.h"
 
 namespace study::report {
@@ -46,11 +47,16 @@ void leaveOut(Reliability& reliability, std::string_view id) {
 
 using ItemIds = std::set<std::string>;
 
-/// Whether the answers of one person to a single item follow from the means of two sets of items.
-bool giveAwayAnItem(const ItemIds& some, const ItemIds& others) {
-  const auto& [fewer, more] =
-      std::minmax(some, others, [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  return more.size() == fewer.size() + 1 && std::ranges::includes(more, fewer);
+/// Of how many items the answers of one person follow from the means of @p sets of items.
+std::size_t itemsGivenAwayBy(const std::vector<ItemIds>& sets) {
+  ItemIds items;
+  for (const auto& set : sets) items.insert(set.begin(), set.end());
+  std::vector<std::vector<double>> sums;
+  for (const auto& set : sets) {
+    auto& sum = sums.emplace_back();
+    for (const auto& item : items) sum.push_back(set.contains(item) ? 1.0 : 0.0);
+  }
+  return analysis::determinedUnknowns(sums);
 }
 
 /// Removes what shows an answer of the only participant of a cohort to a single item.
@@ -68,12 +74,11 @@ void leaveOutItemsOfOnePerson(
   }
   std::set<std::string_view> hidden;
   for (const auto& score : instrument.scores) {
-    const ItemIds ids(score.items.begin(), score.items.end());
-    const bool isHidden = ids.size() < 2 || std::ranges::any_of(shown, [&](const auto& other) {
-                            return giveAwayAnItem(ids, other);
-                          });
-    if (isHidden) hidden.insert(score.id);
-    if (!isHidden) shown.push_back(ids);
+    const auto before = itemsGivenAwayBy(shown);
+    shown.emplace_back(score.items.begin(), score.items.end());
+    if (itemsGivenAwayBy(shown) == before) continue;
+    shown.pop_back();
+    hidden.insert(score.id);
   }
   std::erase_if(summary.scores, [&](const auto& score) {
     return score.values.size() == 1 && hidden.contains(score.score);

@@ -16,9 +16,9 @@ inline constexpr auto kSmallSampleMessages =
 /// Removes what a report does not show of few people. Exports and `stats run` keep these numbers.
 /// - Tests and reliabilities of fewer than StatisticalTest::fewestPeople; a reason of
 ///   kSmallSampleMessages is left in their place.
-/// - Where a cohort has one participant: a score of one item; a score whose items are those of
-///   another score, or of what a family compares, but for one item, because the difference of the
-///   two means gives the answers to that item away; shares of acceptable answers to an item.
+/// - Where a cohort has one participant: scores from which, with the scores before them and the
+///   means that families compare, an answer to a single item could be worked out, such as a score
+///   of all compared items but one; shares of acceptable answers to an item.
 void leaveOutSmallSamples(
     Results& results, const std::vector<questionnaires::Instrument>& instruments);
 

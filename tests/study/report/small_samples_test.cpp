@@ -100,8 +100,8 @@ std::vector<std::string> idsOf(const std::vector<study::ScoreSummary>& scores) {
   return ids;
 }
 
-/// The compared items are 1.1 to 3.3; the scores have all of them but one, all but two, one, and
-/// two of which the second has one more item than the first.
+/// The first of the compared items in some scores, then pairs of them: from the first and second,
+/// first and third, second and third the answers to all three follow.
 TEST(SmallSamples, OfOnePersonHaveNoScoreThatGivesAnAnswerAway) {
   auto section = tests::madeUpSection();
   const auto& family = section.results.families.front().family;
@@ -115,17 +115,19 @@ TEST(SmallSamples, OfOnePersonHaveNoScoreThatGivesAnAnswerAway) {
   const auto firstItems = [&](std::size_t count) {
     return std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
   };
-  instrument.scores.resize(6);
-  const std::vector<std::pair<std::string, std::size_t>> scores{
-      {"all", all.size()},
-      {"all but one", all.size() - 1},
-      {"all but two", all.size() - 2},
-      {"one", 1},
-      {"two", 2},
-      {"three", 3}};
+  const std::vector<std::pair<std::string, std::vector<std::string>>> scores{
+      {"all", all},
+      {"all but one", firstItems(all.size() - 1)},
+      {"all but two", firstItems(all.size() - 2)},
+      {"one", firstItems(1)},
+      {"two", firstItems(2)},
+      {"three", firstItems(3)},
+      {"first and third", {all[0], all[2]}},
+      {"second and third", {all[1], all[2]}}};
+  instrument.scores.resize(scores.size());
   for (std::size_t i = 0; i < scores.size(); ++i) {
     instrument.scores[i].id = scores[i].first;
-    instrument.scores[i].items = firstItems(scores[i].second);
+    instrument.scores[i].items = scores[i].second;
   }
   auto alone = scoresOf(instrument, 1, "professional");
   for (auto& one : scoresOf(instrument, 2, "non-professional").scores) {
@@ -141,12 +143,15 @@ TEST(SmallSamples, OfOnePersonHaveNoScoreThatGivesAnAnswerAway) {
           "all of professional",
           "all but two of professional",
           "two of professional",
+          "first and third of professional",
           "all of non-professional",
           "all but one of non-professional",
           "all but two of non-professional",
           "one of non-professional",
           "two of non-professional",
-          "three of non-professional"}));
+          "three of non-professional",
+          "first and third of non-professional",
+          "second and third of non-professional"}));
   EXPECT_TRUE(left.acceptable.empty());
 }
 
