@@ -93,8 +93,7 @@ class AnswerWriter : HtmlWriter {
     if (!areAnswersPooled(section_)) return;
     paragraph(
         "As the protocol declares, these tests take all answers of a person as independent: their "
-        "p may be far too small. What is said within people is by the {}, which was not declared "
-        "and is exploratory; “Within people” in the appendix has more.",
+        "p may be far too small. Within people: {}, exploratory; the appendix has more.",
         testInWords(protocols::TestType::PairedT, section_.words));
   }
 

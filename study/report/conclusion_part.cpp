@@ -229,31 +229,40 @@ class VerdictWriter {
 
   /// The significant differences between alternatives other than the best one.
   Names otherDifferences(const FamilyResult& family) const {
-    std::map<std::pair<std::string, std::string>, Names> cohorts;  // by the higher and the lower
+    struct Cohorts {
+      Names all;
+      Names pooledOnly;  ///< whose difference only the test of pooled answers finds
+    };
+    std::map<std::pair<std::string, std::string>, Cohorts> pairs;  // the higher, and the lower
     for (const auto& part : family.cohorts) {
       for (const auto& row : declaredIn(family, part)) {
         if (row.has(best_) || !row.isDefined() || !row.test->isSignificant.value_or(false))
           continue;
         const double difference = *row.difference->estimate.value;
-        const auto& who = section_.cohortTitle(part.cohort);
-        const bool isPooledOnly = family.isNamed("welch") && !agreesWithin(row, difference);
-        cohorts
+        auto& cohorts = pairs
             [difference > 0.0 ? std::pair(row.group1, row.group2)
-                              : std::pair(row.group2, row.group1)]
-                .push_back(isPooledOnly ? words_.say("{}, only with pooled answers", who) : who);
+                              : std::pair(row.group2, row.group1)];
+        cohorts.all.push_back(section_.cohortTitle(part.cohort));
+        if (family.isNamed("welch") && !agreesWithin(row, difference)) {
+          cohorts.pooledOnly.push_back(cohorts.all.back());
+        }
       }
     }
-    if (cohorts.size() > 1) {  // a list would push the figure off the first page
-      return {
-          words_.say("{} other pairs differ significantly, too: see the table.", cohorts.size())};
+    if (pairs.size() > 1) {  // a list would push the figure off the first page
+      return {words_.say("{} other pairs differ significantly, too: see the table.", pairs.size())};
     }
     Names sentences;
-    for (const auto& [pair, where] : cohorts) {
+    for (const auto& [pair, cohorts] : pairs) {
+      const auto where = listed(cohorts.all, words_);
+      const auto pooled =
+          words_.say("{}, only with pooled answers", listed(cohorts.pooledOnly, words_));
       sentences.push_back(words_.say(
           "{} was also rated significantly higher than {} ({}).",
           section_.conditionTitle(pair.first),
           section_.conditionTitle(pair.second),
-          fmt::format("{}", fmt::join(where, "; "))));
+          cohorts.pooledOnly.empty()                        ? where
+          : cohorts.pooledOnly.size() == cohorts.all.size() ? pooled
+                                                            : where + "; " + pooled));
     }
     return sentences;
   }
@@ -363,8 +372,7 @@ class VerdictWriter {
     }
     const auto [least, most] = std::ranges::minmax(points);
     return words_.say(
-        "This does not show that they are alike: they differ by {} to {} points, and no cohort has "
-        "more than {} people.",
+        "That does not show that they are alike ({} to {} points, at most {} people).",
         rounded(least, 2),
         rounded(most, 2),
         mostPeople_);

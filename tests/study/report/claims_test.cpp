@@ -83,8 +83,8 @@ TEST(Claims, CallsNoAbsenceOfSignificanceAlikeness) {
   EXPECT_TRUE(
       has(verdictOf(section),
           "Interpolation was rated neither significantly higher nor lower than FEM (finite "
-          "elements) and KF (Kalman filter) in any cohort. This does not show that they are alike: "
-          "they differ by 0.50 to 0.50 points, and no cohort has more than 6 people."))
+          "elements) and KF (Kalman filter) in any cohort. That does not show that they are alike "
+          "(0.50 to 0.50 points, at most 6 people)."))
       << verdictOf(section);
   for (auto& cohort : family.cohorts) {
     for (auto& row : cohort.within.rows) {
