@@ -19,7 +19,7 @@ namespace study::storage {
 namespace {
 
 constexpr std::chrono::milliseconds kBusyPause{2};
-constexpr int kMostPauses = 1500;                 // about 3 s in all; then the caller gets an error
+constexpr std::chrono::seconds kLongestWait{3};   // for a lock; then the caller gets an error
 constexpr std::size_t kMostIdleStatements = 200;  // statements of a few kB; the program has fewer
 
 /// Whether no account can write the file (an archive, or a read-only disk) and the file has no
@@ -59,9 +59,13 @@ std::int64_t pragmaNumber(const Database& database, const std::string& name) {
 
 /// SQLite's busy handler: waits while another program writes; returns 0 to give up. SQLite's own
 /// handler waits longer each time, up to 0.1 s, and finds the file busy every time while two other
-/// stations write without a pause.
+/// stations write without a pause. The clock decides, because a pause is longer where many programs
+/// want the processor.
 int waitForOthers(void* /*unused*/, int pauses) {
-  if (pauses >= kMostPauses) return 0;
+  thread_local std::chrono::steady_clock::time_point begin;  // a thread waits for one at a time
+  const auto now = std::chrono::steady_clock::now();
+  if (pauses == 0) begin = now;
+  if (now - begin >= kLongestWait) return 0;
   std::this_thread::sleep_for(kBusyPause);
   return 1;
 }
