@@ -86,7 +86,7 @@ Database::Database(std::string path, int flags, Reading reading) : path_(std::mo
   const int code = sqlite3_open_v2(
       (isImmutable ? immutableUri(path_) : path_).c_str(),
       &handle_,
-      flags | SQLITE_OPEN_EXRESCODE | (isImmutable ? SQLITE_OPEN_URI : 0),
+      flags | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOMUTEX | (isImmutable ? SQLITE_OPEN_URI : 0),
       nullptr);
   if (code == SQLITE_OK) {
     sqlite3_busy_handler(handle_, waitForOthers, nullptr);

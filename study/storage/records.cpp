@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -35,6 +36,29 @@ VisitKey readVisitKey(const Statement& row) {
   return {
       SessionId{row.number(0)}, static_cast<int>(row.number(1)), static_cast<int>(row.number(2))};
 }
+
+constexpr VisitKey kBeforeAll{.session = SessionId{std::numeric_limits<std::int64_t>::min()}};
+
+/// Rows in the order of the visit in their first three columns (0 where a row is for more than
+/// one).
+struct OrderedRows {
+  OrderedRows(const Database& database, const std::string& sql) : row(database, sql) {}
+
+  /// Whether there is a row for @p wanted, which is at least that of the call before.
+  bool advanceTo(const VisitKey& wanted) {
+    while (isThere_ && visit_ < wanted) {
+      isThere_ = row.step();
+      if (isThere_) visit_ = readVisitKey(row);
+    }
+    return isThere_ && visit_ == wanted;
+  }
+
+  Statement row;
+
+ private:
+  VisitKey visit_ = kBeforeAll;
+  bool isThere_ = true;
+};
 
 std::vector<base::Message> reasonsIn(const std::string& text) {
   return text.empty() || text.starts_with('[') ? messagesIn(text)
@@ -178,49 +202,60 @@ std::vector<AnswerRecord> Records::answers(std::optional<SessionId> session) con
 }
 
 std::vector<PointCount> Records::pointCounts(RunMode mode) const {
-  // Two queries in the order of the visits, merged here. SQLite would run a single GROUP BY four
-  // times as long, because it sorts all answers by text.
-  Statement visits(
-      database_,
-      "SELECT v.session_id, v.step, v.attempt, n.cohort, s.phase, s.instrument, "
-      "coalesce(a.condition, ''), " +
-          std::string(sealedColumn(database_)) +
-          " FROM visit AS v JOIN session AS n ON n.id = v.session_id "
-          "JOIN step AS s ON s.session_id = v.session_id AND s.step = v.step "
-          "LEFT JOIN allocation AS a ON a.session_id = v.session_id AND a.step = v.step "
-          "WHERE n.run_mode = ? AND n.state = ? AND s.kind = ? AND v.status = 'finished' "
-          "ORDER BY v.session_id, v.step, v.attempt");
-  visits.bind(1, nameOf(mode)).bind(2, nameOf(SessionState::Completed));
-  visits.bind(3, nameOf(StepKind::Questionnaire));
+  // Queries in one order, merged here. SQLite would sort all answers by text to group them, and
+  // search three tables for each visit to join them: twice as long.
   Statement answers(
       database_,
       "SELECT session_id, step, attempt, item, coalesce(point, CAST(number AS INTEGER)) FROM "
-      "answer "
-      "WHERE point IS NOT NULL OR number = CAST(number AS INTEGER) "
+      "answer WHERE point IS NOT NULL OR number = CAST(number AS INTEGER) "
       "ORDER BY session_id, step, attempt");
+  OrderedRows visits(
+      database_,
+      "SELECT session_id, step, attempt FROM visit WHERE status = 'finished' "
+      "ORDER BY session_id, step, attempt");
+  OrderedRows sessions(
+      database_,
+      "SELECT id, 0, 0, cohort FROM session WHERE run_mode = ? AND state = ? ORDER BY id");
+  sessions.row.bind(1, nameOf(mode)).bind(2, nameOf(SessionState::Completed));
+  OrderedRows steps(
+      database_,
+      "SELECT session_id, step, 0, phase, instrument FROM step WHERE kind = ? "
+      "ORDER BY session_id, step");
+  steps.row.bind(1, nameOf(StepKind::Questionnaire));
+  OrderedRows allocations(
+      database_,
+      std::string("SELECT session_id, step, 0, condition, ") + sealedColumn(database_) +
+          " FROM allocation AS a ORDER BY session_id, step");
 
   using ItemCounts = std::map<std::string, std::map<std::int64_t, std::uint64_t>>;
   std::map<std::array<std::string, 4>, ItemCounts> counted;
   const ConditionCell condition{database_, conditions_};
-  bool isThere = answers.step();  // from now on both queries see the same state of the database
-  while (visits.step() && isThere) {
-    const auto visit = readVisitKey(visits);
-    auto& items = counted[{
-        visits.text(3),
-        visits.text(4),
-        visits.text(5),
-        condition.in(visits, 6, 7, visit.session, visit.step)}];
-    while (isThere && readVisitKey(answers) < visit) isThere = answers.step();
-    for (; isThere && readVisitKey(answers) == visit; isThere = answers.step()) {
-      ++items[answers.text(3)][answers.number(4)];
+  const auto countsOf = [&](const VisitKey& visit) -> ItemCounts* {
+    const auto [session, step, attempt] = visit;
+    if (!sessions.advanceTo({session, 0, 0}) || !steps.advanceTo({session, step, 0}) ||
+        !visits.advanceTo(visit)) {
+      return nullptr;
     }
+    return &counted[{
+        sessions.row.text(3),
+        steps.row.text(3),
+        steps.row.text(4),
+        allocations.advanceTo({session, step, 0})
+            ? condition.in(allocations.row, 3, 4, session, step)
+            : ""}];
+  };
+  auto visit = kBeforeAll;
+  ItemCounts* counts = nullptr;
+  while (answers.step()) {  // from the first on all queries see the same state of the database
+    if (const auto next = readVisitKey(answers); next != visit) counts = countsOf(visit = next);
+    if (counts != nullptr) ++(*counts)[answers.text(3)][answers.number(4)];
   }
 
-  std::vector<PointCount> counts;
+  std::vector<PointCount> rows;
   for (const auto& [place, items] : counted) {
     for (const auto& [item, points] : items) {
       for (const auto& [point, times] : points) {
-        counts.push_back(
+        rows.push_back(
             {.cohort = place[0],
              .phase = place[1],
              .instrument = place[2],
@@ -231,7 +266,7 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
       }
     }
   }
-  return counts;
+  return rows;
 }
 
 std::vector<StoredTrial> Records::trials() const {
