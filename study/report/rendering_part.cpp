@@ -146,6 +146,7 @@ class RenderingWriter : HtmlWriter {
   struct Plateau {
     double travel = 0.0;  ///< of its first point [device's travel unit]
     double force = 0.0;   ///< the largest median force [N]
+    bool isAtEnd = true;  ///< whether the curve stays flat to its end
   };
   /// A curve has a plateau if at least kFewestFlat points in a row are within kPrintedAlike of its
   /// largest median force. The place of the largest force means nothing on it: noise decides.
@@ -156,7 +157,7 @@ class RenderingWriter : HtmlWriter {
     const auto first = std::ranges::find_if(curve.points, isMost);
     const auto end = std::find_if_not(first, curve.points.end(), isMost);
     if (most <= 0.0 || end - first < kFewestFlat) return std::nullopt;
-    return Plateau{.travel = first->travel, .force = most};
+    return Plateau{.travel = first->travel, .force = most, .isAtEnd = end == curve.points.end()};
   }
 
   std::optional<Plateau> plateauOf(const std::string& id) const {
@@ -271,10 +272,10 @@ class RenderingWriter : HtmlWriter {
     });
   }
 
-  /// Whether an opening is on a plateau of its curve, where it has no place of its own.
+  /// Whether an opening is on a plateau at the end of its curve, where it has no place of its own.
   bool isOnPlateau(const LandmarkSummary& one) const {
     const auto plateau = plateauOf(one.condition);
-    return one.landmark == kOpening && plateau && one.force.mean &&
+    return one.landmark == kOpening && plateau && plateau->isAtEnd && one.force.mean &&
            std::abs(*one.force.mean - plateau->force) < kPrintedAlike;
   }
 

@@ -435,6 +435,10 @@ TEST(HtmlReport, HasNoPlaceOfAnOpeningWhereTheForceIsFlat) {
   EXPECT_FALSE(has(rising, "from: the force")) << rising;
   section.landmarks.back().force = analysis::summarise(travels);
   EXPECT_TRUE(has(renderingAsHtml(section), "<td>largest force</td>"));
+  for (auto& point : points) point.median = 3.0;
+  points.push_back({12.0, 1.0, 1.0, 1.0});
+  points.push_back({13.0, 3.0, 3.0, 3.0});
+  EXPECT_FALSE(has(renderingAsHtml(section), "from: the force")) << "flat before it falls";
 }
 
 TEST(HtmlReport, SaysWhereAForceFadesBecauseItsCutEnds) {
