@@ -313,9 +313,10 @@ class Writer {
         const auto& title = cohortTitle(cohort.cohort);
         for (const auto* vote : cohort.rounds) {
           const auto& p = vote->test.exactP;
+          const bool isTested = p && vote->votes.total() > 1;
           line(
               votesInWords(title, "after " + vote->block, vote->votes) +
-              (p ? "exact p " + withRelationSign(formatP(p)) : ""));
+              (isTested ? "exact p " + withRelationSign(formatP(p)) : ""));
         }
         if (cohort.rounds.size() > 1) line(votesInWords(title, "Sum", cohort.sum));
       }
