@@ -130,10 +130,14 @@ class TestsWriter : HtmlWriter {
         "{:.3f}.",
         analysis::kMediumPriorScale);
     const auto odds = say("Odds ratio: of higher answers, by the ordinal mixed model.");
-    put("<p class=\"note\">{}{}</p>",
-        areDifferencesShown ? withReferences("The differences are in {}.", {"answer"}) + " "
-                            : std::string(),
-        bayes + (hasOdds_ ? " " + odds : std::string()));
+    std::string note;
+    const auto add = [&](bool isTrue, const std::string& sentence) {
+      if (isTrue) note += (note.empty() ? "" : " ") + sentence;
+    };
+    add(areDifferencesShown, withReferences("The differences are in {}.", {"answer"}));
+    add(hasBayesFactor_, bayes);
+    add(hasOdds_, odds);
+    if (!note.empty()) put("<p class=\"note\">{}</p>", note);
   }
 
   void tests() {
@@ -197,6 +201,7 @@ class TestsWriter : HtmlWriter {
     const auto* ordinal = analysis::findTest(c.tests, "ordinal_model");
     const bool hasOdds = ordinal != nullptr && ordinal->p;
     hasOdds_ = hasOdds_ || hasOdds;
+    hasBayesFactor_ = hasBayesFactor_ || c.test("bayes_factor").effect.value.has_value();
     row(
         {pairOf(c),
          areDifferencesShown ? std::string() : rounded(test.estimate.value, 2),
@@ -279,8 +284,9 @@ class TestsWriter : HtmlWriter {
   }
 
   const FamilyResult& result_;
-  bool hasBold_ = false;  ///< whether a confirmatory test is significant
-  bool hasOdds_ = false;  ///< whether any odds ratio is shown
+  bool hasBold_ = false;         ///< whether a confirmatory test is significant
+  bool hasOdds_ = false;         ///< whether any odds ratio is shown
+  bool hasBayesFactor_ = false;  ///< the same of Bayes factors
 };
 
 }  // namespace

@@ -40,8 +40,9 @@ class PreferenceWriter : HtmlWriter {
   bool hasIntervals() const { return !std::ranges::all_of(section_.results.votes, isOfOneVote); }
 
   static bool hasSums(const VoteTable& votes) {
-    return std::ranges::any_of(
-        votes.cohorts, [](const auto& cohort) { return cohort.rounds.size() > 1; });
+    return votes.total.total() > 0 && std::ranges::any_of(votes.cohorts, [](const auto& cohort) {
+             return cohort.rounds.size() > 1;
+           });
   }
 
   /// As Table 4 of the punch paper: by cohort and round, with sums and the total.

@@ -50,7 +50,7 @@ class ValidityWriter : HtmlWriter {
   }
 
   std::string content() const {
-    if (section_.instruments.empty()) return {};
+    if (section_.instruments.empty() || section_.results.completed() == 0) return {};
     std::size_t all = 0;
     std::size_t own = 0;
     for (const auto& one : section_.instruments) {
