@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "study/report/html_writer.h"
@@ -8,6 +9,8 @@
 
 namespace study::report {
 namespace {
+
+constexpr double kPrintedAsZero = 0.005;  // a difference of less is "0.00"
 
 bool isAnyDefined(const FamilyResult& family, const CohortResult& cohort) {
   return std::ranges::any_of(declaredIn(family, cohort), &Declared::isDefined);
@@ -75,7 +78,7 @@ class AnswerWriter : HtmlWriter {
     if (!isAnyDefined(family, part)) return {};
     std::vector<std::pair<double, std::string>> all;
     const auto methods = conditionsOf(section_.protocol, family.family);
-    const auto mainAlternative = mainAlternativeOf(section_, family);
+    const auto mainAlternative = mainAlternativeOf(family);
     for (const auto& id : methods) {
       if (!mainAlternative.empty() && id != mainAlternative) continue;
       if (const auto mean = meanOf(family, part, id, methods)) all.emplace_back(-*mean, id);
@@ -114,13 +117,17 @@ class AnswerWriter : HtmlWriter {
     if (!isAnyDefined(family, part)) {
       return all.empty() ? std::string() : notTestedInWords(all.front());
     }
-    const auto mainAlternative = mainAlternativeOf(section_, family);
+    const auto mainAlternative = mainAlternativeOf(family);
     const auto untested =
         std::ranges::find_if(all, [&](const auto& row) { return row.has(mainAlternative); });
-    auto rows = all;
-    std::erase_if(rows, [&](const auto& row) {
-      return !row.isDefined() || (!mainAlternative.empty() && !row.has(mainAlternative));
-    });
+    std::vector<Declared> rows;     // that are said one by one
+    std::size_t otherFindings = 0;  // significant differences of other rows
+    for (const auto& row : all) {
+      if (!row.isDefined()) continue;
+      const bool isSaid = mainAlternative.empty() || row.has(mainAlternative);
+      if (isSaid) rows.push_back(row);
+      if (!isSaid && isBold(family, row)) ++otherFindings;
+    }
     const auto isInDoubt = [&](const auto& row) { return report::isInDoubt(family, row); };
     const bool areAllInDoubt = rows.size() > 1 && std::ranges::all_of(rows, isInDoubt);
     std::string text;
@@ -131,9 +138,14 @@ class AnswerWriter : HtmlWriter {
       subject = higherMethodOf(row);
     }
     const auto none = say("no difference is significant.");
-    if (areAllInDoubt) text = none + " " + text;
+    const auto noneOfIts = say("none of its differences is significant.");
+    if (areAllInDoubt) text = (mainAlternative.empty() ? none : noneOfIts) + " " + text;
     if (text.empty() && untested != all.end()) return notTestedInWords(*untested);
-    return text + ".";
+    const auto others = section_.words.count(
+        otherFindings,
+        "{} difference between other methods is significant.",
+        "{} differences between other methods are significant.");
+    return text + "." + (otherFindings > 0 ? " " + escaped(others) : std::string());
   }
 
   std::string notTestedInWords(const Declared& row) const {
@@ -181,6 +193,8 @@ class AnswerWriter : HtmlWriter {
     const auto alsoClear = say("{} points higher than {} ({})", points, lower, numbers);
     const auto alsoUnclear =
         say("{} points higher than {} (not significant: {})", points, lower, numbers);
+    const auto alike = say("the means of {} and {} are the same ({})", higher, lower, numbers);
+    if (std::abs(*row.difference->estimate.value) < kPrintedAsZero) return withSubscripts(alike);
     const bool isSameSubject = higherMethodOf(row) == subject;
     if (isSameSubject) return withSubscripts(saysDoubt ? alsoUnclear : alsoClear);
     return withSubscripts(saysDoubt ? unclear : clear);
@@ -225,15 +239,14 @@ class AnswerWriter : HtmlWriter {
                        ? escaped(differencesCaption(family, section_.words))
                    : kind == MainFigure::Answers ? say(kAnswersCaption)
                                                  : say(kParticipantMeansCaption);
-    const auto others =
-        withReferences("Only of the method rated or named highest; {} has all.", {"answer"});
+    const auto others = withReferences("Only of the method rated highest; {} has all.", {"answer"});
     if (kind == MainFigure::Differences && showsSomeOnly(family)) caption += " " + others;
     putFigure(mainSvg(family), caption, "answer-figure");
   }
 
   /// Whether the figure beside the answer leaves out comparisons.
   bool showsSomeOnly(const FamilyResult& family) const {
-    const auto mainAlternative = mainAlternativeOf(section_, family);
+    const auto mainAlternative = mainAlternativeOf(family);
     return !mainAlternative.empty() && std::ranges::any_of(family.cohorts, [&](const auto& part) {
       return std::ranges::any_of(
           declaredIn(family, part), [&](const auto& row) { return !row.has(mainAlternative); });
@@ -514,7 +527,7 @@ std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult&
   return all;
 }
 
-std::string mainAlternativeOf(const ReportSection& section, const FamilyResult& family) {
+std::string mainAlternativeOf(const FamilyResult& family) {
   const auto isCompared = [&](const std::string& id) {
     return std::ranges::any_of(family.cohorts, [&](const auto& part) {
       return std::ranges::any_of(declaredIn(family, part), [&](const auto& row) {
@@ -524,10 +537,8 @@ std::string mainAlternativeOf(const ReportSection& section, const FamilyResult& 
   };
   constexpr std::size_t kFew = 3;  // all are shown; those of pooled answers have long sentences
   if (!family.isNamed("welch") && family.family.comparisons.size() <= kFew) return {};
-  for (const auto& id : {bestAlternativeOf(section), highestRatedIn(family)}) {
-    if (isCompared(id)) return id;
-  }
-  return {};
+  const auto best = highestRatedIn(family);
+  return isCompared(best) ? best : std::string();
 }
 
 std::string answerAsHtml(const ReportSection& section) {

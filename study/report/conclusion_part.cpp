@@ -106,15 +106,13 @@ class VerdictWriter {
     const auto named = mostNamedIn(section_.results);
     const auto* family = mainFamily(section_);
     Names sentences;
+    const bool isTested = family != nullptr && family->isDeclared && !testedIn(*family).empty();
     if (family != nullptr) {
-      best_ = bestAlternativeOf(section_);
-      if (!named) sentences.push_back(ratings());
+      best_ = highestRatedIn(*family);
+      if (!isTested) sentences.push_back(ratings(*family));
       std::ranges::move(comparisons(*family), std::back_inserter(sentences));
     }
-    if (named) {
-      const bool isTested = family != nullptr && family->isDeclared;
-      sentences.insert(isTested ? sentences.end() : sentences.begin(), votes(*named));
-    }
+    if (named) sentences.push_back(votes(*named));
     Conclusion conclusion;
     if (sentences.empty()) return conclusion;
     conclusion.finding = withCurlyQuotes(sentences.front());
@@ -170,21 +168,44 @@ class VerdictWriter {
     return nullptr;
   }
 
-  std::string ratings() const {
-    return words_.say(
-        "{} participants rated {} highest.",
-        section_.results.completed(),
-        section_.introducedTitle(best_));
+  /// Which mean of all answers is the highest, of a family that is not tested.
+  std::string ratings(const FamilyResult& family) const {
+    const auto people = section_.results.completed();
+    const bool isTied = std::ranges::any_of(section_.protocol.conditions, [&](const auto& other) {
+      return other.id != best_ && meanOfAll(family, other.id) == meanOfAll(family, best_);
+    });
+    const auto tied = words_.say(
+        "On average no method was rated higher than all others ({} participants).", people);
+    const auto highest = words_.say(
+        "On average {} was rated highest ({} participants).",
+        section_.introducedTitle(best_),
+        people);
+    return isTied ? tied : highest;
+  }
+
+  /// Why the declared test of a family has no result in any cohort; empty if no reason is known.
+  Names notTested(const FamilyResult& family) const {
+    for (const auto& part : family.cohorts) {
+      for (const auto& row : declaredIn(family, part)) {
+        if (row.test->reason.empty()) continue;
+        return {words_.say(
+            "By the declared test ({}), nothing can be compared: {}.",
+            testInWords(family.family.test, words_),
+            words_(row.test->reason))};
+      }
+    }
+    return {};
   }
 
   /// Whether the ratings of the best alternative differ from those of the others.
   Names comparisons(const FamilyResult& family) {
     if (!family.isDeclared) return {words_("All comparisons are exploratory.")};
+    if (testedIn(family).empty()) return notTested(family);
     std::vector<Outcome> higher;
     std::vector<Outcome> lower;
     std::vector<Outcome> alike;
     std::vector<Outcome> mixed;
-    const auto untested = words_("Whether cohorts differ in this was not tested.");
+    const auto untested = words_("Whether cohorts differ in these differences was not tested.");
     for (const auto& condition : section_.protocol.conditions) {
       const auto one = outcomeOf(family, condition.id);
       if (one.testedCohorts == 0) continue;
@@ -231,7 +252,7 @@ class VerdictWriter {
   Names otherDifferences(const FamilyResult& family) const {
     struct Cohorts {
       Names all;
-      Names pooledOnly;  ///< whose difference only the test of pooled answers finds
+      Names pooledOnly;  ///< whose difference the paired t-test does not find
     };
     std::map<std::pair<std::string, std::string>, Cohorts> pairs;  // the higher, and the lower
     for (const auto& part : family.cohorts) {
@@ -249,15 +270,16 @@ class VerdictWriter {
       }
     }
     if (pairs.size() > 1) {  // a list would push the figure off the first page
-      return {words_.say("{} other pairs differ significantly, too: see the table.", pairs.size())};
+      return {words_.say(
+          "{} pairs of other methods differ significantly: see the table.", pairs.size())};
     }
     Names sentences;
     for (const auto& [pair, cohorts] : pairs) {
       const auto where = listed(cohorts.all, words_);
       const auto pooled =
-          words_.say("{}, only with pooled answers", listed(cohorts.pooledOnly, words_));
+          words_.say("{}, not by the paired t-test", listed(cohorts.pooledOnly, words_));
       sentences.push_back(words_.say(
-          "{} was also rated significantly higher than {} ({}).",
+          "{} was rated significantly higher than {} ({}).",
           section_.conditionTitle(pair.first),
           section_.conditionTitle(pair.second),
           cohorts.pooledOnly.empty()                        ? where
@@ -463,7 +485,7 @@ class VerdictWriter {
         const auto plain = words_.say("{} points ({}, not significant)", points, who);
         const auto clear = words_.say("{} points ({}, significant)", points, who);
         const auto pooled =
-            words_.say("{} points ({}, significant only with pooled answers)", points, who);
+            words_.say("{} points ({}, significant, but not by the paired t-test)", points, who);
         outcome.differences.push_back(
             !isSignificant                       ? plain
             : agrees || !family.isNamed("welch") ? clear
@@ -492,12 +514,6 @@ std::string highestRatedIn(const FamilyResult& family) {
     }
   }
   return best;
-}
-
-std::string bestAlternativeOf(const ReportSection& section) {
-  if (const auto named = mostNamedIn(section.results)) return named->condition;
-  const auto* family = mainFamily(section);
-  return family == nullptr ? std::string() : highestRatedIn(*family);
 }
 
 Conclusion conclusionOf(const ReportSection& section) {

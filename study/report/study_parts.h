@@ -33,10 +33,6 @@ std::string verdictOf(const ReportSection& section);
 /// people.
 bool areAnswersPooled(const ReportSection& section);
 
-/// The condition that was named most often or, where votes do not say, rated highest; empty without
-/// answers.
-std::string bestAlternativeOf(const ReportSection& section);
-
 /// The condition of the family with the highest mean of all answers; empty without answers.
 std::string highestRatedIn(const FamilyResult& family);
 
@@ -64,7 +60,7 @@ std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult&
 
 /// The alternative that the sentences on a family, and the figure beside them, compare with the
 /// others; empty if they are about all comparisons.
-std::string mainAlternativeOf(const ReportSection& section, const FamilyResult& family);
+std::string mainAlternativeOf(const FamilyResult& family);
 
 /// Whether any participant of the cohort answered.
 bool hasAnswers(const CohortResult& cohort);

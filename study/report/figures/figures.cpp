@@ -119,7 +119,7 @@ void paintFigures(ReportSection& section, const FigureFormat& format) {
     const auto answered = withAnswers(family);
     auto& figures = section.figures.families.emplace_back(figuresOf(section, answered, format));
     if (mainFigureOf(section, family) != MainFigure::Differences) continue;
-    const auto compared = mainAlternativeOf(section, family);
+    const auto compared = mainAlternativeOf(family);
     figures.mainEffects = effectsOf(section, withMainComparisons(answered, compared), format);
   }
   for (const auto& instrument : section.instruments) {

@@ -60,12 +60,53 @@ TEST(Claims, TellsSignificantDifferencesThatTheBestAlternativeHasNoPartIn) {
   row.estimate = {"difference", 0.8};
   row.p = 0.01;
   row.isSignificant = false;
-  EXPECT_FALSE(has(verdictOf(section), "KF was also rated"));
+  EXPECT_FALSE(has(verdictOf(section), "KF was rated"));
   row.isSignificant = true;
-  EXPECT_TRUE(
-      has(verdictOf(section),
-          " KF was also rated significantly higher than FEM (Orthopaedic surgeons)."))
+  EXPECT_TRUE(has(
+      verdictOf(section), " KF was rated significantly higher than FEM (Orthopaedic surgeons)."))
       << verdictOf(section);
+}
+
+TEST(Claims, SaysThatNoMethodIsHighestWhereMeansAreEqual) {
+  auto section = tests::madeUpSection();
+  section.results.votes.clear();
+  auto& family = section.results.families.front();
+  family.isDeclared = false;
+  for (auto& cohort : family.cohorts) {
+    for (auto& one : cohort.conditions) one.answers = cohort.conditions.front().answers;
+  }
+  EXPECT_EQ(
+      verdictOf(section),
+      "On average no method was rated higher than all others (11 participants). All comparisons "
+      "are exploratory.");
+}
+
+TEST(Claims, SaysWhyTheDeclaredTestHasNoResult) {
+  auto section = tests::madeUpSection();
+  section.results.votes.clear();
+  for (auto& cohort : section.results.families.front().cohorts) {
+    for (auto& row : cohort.comparisons.rows) {
+      row.p.reset();
+      row.reason = analysis::reason("two_values_needed");
+    }
+  }
+  EXPECT_EQ(
+      verdictOf(section),
+      "On average Interpolation was rated highest (11 participants). By the declared test (Welch’s "
+      "t-test of all answers, pooled), nothing can be compared: variance and interval need two "
+      "values in each group.");
+}
+
+TEST(Claims, CountsSignificantDifferencesBetweenMethodsThatTheSentencesLeaveOut) {
+  auto section = tests::madeUpSection();
+  for (auto& cohort : section.results.families.front().cohorts) {
+    for (auto& row : cohort.comparisons.rows) {
+      row.isSignificant = row.group1 != "interpolation" && row.group2 != "interpolation";
+    }
+  }
+  const auto answer = answerAsHtml(section);
+  EXPECT_TRUE(has(answer, "on average; none of its differences is significant. ")) << answer;
+  EXPECT_TRUE(has(answer, ". 1 difference between other methods is significant.</p>")) << answer;
 }
 
 TEST(Claims, CallsNoAbsenceOfSignificanceAlikeness) {
@@ -172,7 +213,8 @@ TEST(Claims, DrawsNoDifferenceOfCohortsFromDifferencesOfSignificance) {
   }
   const auto answer = verdictOf(section);
   EXPECT_FALSE(has(answer, "only by")) << answer;
-  EXPECT_TRUE(has(answer, ". Whether cohorts differ in this was not tested.")) << answer;
+  EXPECT_TRUE(has(answer, ". Whether cohorts differ in these differences was not tested."))
+      << answer;
   EXPECT_TRUE(
       has(answer,
           "Interpolation was rated higher than FEM (finite elements) by 1.04 points (Orthopaedic "
