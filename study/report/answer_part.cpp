@@ -318,6 +318,7 @@ class AnswerWriter : HtmlWriter {
          headingOfP()},
         "answer");
     bool isAnyBold = false;
+    bool isAnyOfTwoPeople = false;  // too few for g_z
     forEachAnswered([&](const auto& family, const auto& part) {
       if (!isAnyDefined(family, part)) {
         rowOver(cohortLabelOf(family, part) + ": " + say("not tested"));
@@ -328,6 +329,7 @@ class AnswerWriter : HtmlWriter {
         if (!comparison.isDefined()) continue;
         comparisonRow(family, part, comparison, effect.empty());
         isAnyBold = isAnyBold || isBold(family, comparison);
+        isAnyOfTwoPeople = isAnyOfTwoPeople || !comparison.difference->effect.value;
       }
     });
     endTable();
@@ -343,10 +345,12 @@ class AnswerWriter : HtmlWriter {
     const auto uncorrected = say(
         "p is corrected for all comparisons under one heading, intervals are not: one without 0 "
         "may come with a p above α.");
+    const auto ofTwoPeople = withSubscripts(say("{} needs three participants.", "g_z"));
     const auto bold = say("Bold: p ≤ α.");
-    put("<p class=\"note\">{}{}{}{}</p>",
+    put("<p class=\"note\">{}{}{}{}{}</p>",
         order,
         effect == "g_z" ? " " + standardised : std::string(),
+        effect == "g_z" && isAnyOfTwoPeople ? " " + ofTwoPeople : std::string(),
         isCorrected ? " " + uncorrected : std::string(),
         isAnyBold ? " " + bold : std::string());
   }
