@@ -38,6 +38,7 @@ constexpr std::array<std::string_view, 14> kFileWarnings{
 constexpr std::array<std::string_view, 13> kFlagsBySeverity{
     "n_below_minimum_for_alpha",
     "pseudo_replication",
+    "constant_group",
     "family_not_declared",
     "order_not_counterbalanced",
     "items_not_common_to_methods",
@@ -45,7 +46,6 @@ constexpr std::array<std::string_view, 13> kFlagsBySeverity{
     "missing_cells",
     "paired_data_unpaired_test",
     "bimodal",
-    "constant_group",
     "alpha_rounded",
     "late_ticks",
     "saturated"};
