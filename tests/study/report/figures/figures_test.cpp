@@ -168,6 +168,56 @@ TEST(Figures, ShowVotesAndTheirTotal) {
   }
 }
 
+/// Answers to a choice and to a number, each about two alternatives.
+ReportSection withItemsAboutAlternatives() {
+  auto section = tests::madeUpSection();
+  questionnaires::Item choice;
+  choice.id = "grip";
+  choice.type = questionnaires::ItemType::SingleChoice;
+  choice.options = {
+      {.id = "firm", .text = questionnaires::LocalizedText({{"en", "Firm"}})},
+      {.id = "loose", .text = questionnaires::LocalizedText({{"en", "Loose"}})}};
+  questionnaires::Item number;
+  number.id = "seconds";
+  number.type = questionnaires::ItemType::Number;
+  auto& instrument = section.instruments.emplace_back();
+  instrument.id = "mine";
+  instrument.items = {choice, number};
+  for (const auto* condition : {"interpolation", "kalman"}) {
+    auto& items = section.results.answers.items;
+    items.push_back(
+        {.instrument = "mine",
+         .item = "grip",
+         .cohort = "professional",
+         .condition = condition,
+         .answers = 5,
+         .options = {{"firm", 4}, {"loose", 1}}});
+    items.push_back(
+        {.instrument = "mine",
+         .item = "seconds",
+         .cohort = "professional",
+         .condition = condition,
+         .values = {12.0, 15.5, 20.0},
+         .least = 12.0,
+         .most = 20.0});
+  }
+  return section;
+}
+
+TEST(Figures, ShowChoicesAndNumbersAboutAlternatives) {
+  auto section = withItemsAboutAlternatives();
+  paintFigures(section);
+  ASSERT_EQ(section.figures.items.size(), 2U);
+  const auto choice = textsIn(section.figures.items[0].svg);
+  for (const auto* words : {"Orthopaedic surgeons, KF", "Firm", "Loose", "4 / 5", "1 / 5"}) {
+    EXPECT_NE(choice.find(words), std::string::npos) << words << " in " << choice;
+  }
+  const auto number = textsIn(section.figures.items[1].svg);
+  for (const auto* words : {"Orthopaedic surgeons", "KF", "n = 3, M = 15.83"}) {
+    EXPECT_NE(number.find(words), std::string::npos) << words << " in " << number;
+  }
+}
+
 TEST(Figures, ArePdfAndPngOfTheirSize) {
   const auto svg = painted().figures.families.front().effects;
   EXPECT_EQ(figureAsPdf(svg).substr(0, 5), "%PDF-");
