@@ -4,6 +4,7 @@
 #include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/rows_canvas.h"
+#include "study/report/figures/svg_canvas.h"
 #include "study/results/apa_text.h"
 
 namespace study::report {
@@ -48,8 +49,8 @@ class EffectPainter {
         format_(format),
         canvas_(painter, format, kEffectRows, effectScale(family)) {}
 
-  void paint() {
-    const double bottom = effectFigureSize(family_, format_).height() - RowsCanvas::kAxis;
+  /// @param bottom  of the rows, where the axis is
+  void paint(double bottom) {
     const double top = RowsCanvas::kHeading;
     if (const auto bound = family_.family.equivalenceBound) {
       painter_.setPen(Qt::NoPen);
@@ -104,20 +105,16 @@ class EffectPainter {
 
 }  // namespace
 
-QSizeF effectFigureSize(const FamilyResult& family, const FigureFormat& format) {
-  double height = RowsCanvas::kAxis;
+std::string effectFigure(
+    const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
+  double bottom = 0.0;
   for (const auto& cohort : family.cohorts) {
-    height += RowsCanvas::blockHeight(format, cohort.within.rows.size(), kEffectRows.height);
+    bottom += RowsCanvas::blockHeight(format, cohort.within.rows.size(), kEffectRows.height);
   }
-  return {format.layoutWidth(), height};
-}
-
-void paintEffectFigure(
-    QPainter& painter,
-    const ReportSection& section,
-    const FamilyResult& family,
-    const FigureFormat& format) {
-  EffectPainter(painter, section, family, format).paint();
+  return asSvg(
+      {format.layoutWidth(), bottom + RowsCanvas::kAxis},
+      [&](QPainter& painter) { EffectPainter(painter, section, family, format).paint(bottom); },
+      format);
 }
 
 }  // namespace study::report

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "study/report/figures/svg_canvas.h"
 #include "study/report/study_parts.h"
 
 namespace study::report {
@@ -13,14 +12,6 @@ FamilyResult withAnswers(const FamilyResult& family) {
   auto answered = family;
   std::erase_if(answered.cohorts, [](const auto& cohort) { return !hasAnswers(cohort); });
   return answered.cohorts.empty() ? family : answered;
-}
-
-std::string effectsOf(
-    const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
-  return asSvg(
-      effectFigureSize(family, format),
-      [&](QPainter& painter) { paintEffectFigure(painter, section, family, format); },
-      format);
 }
 
 /// The family without the comparisons that its sentences leave out.
@@ -36,23 +27,10 @@ FamilyResult withMainComparisons(FamilyResult family, const std::string& compare
 FamilyFigures figuresOf(
     const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
   FamilyFigures figures;
-  if (isShownByPoint(family)) {
-    figures.answers = asSvg(
-        likertFigureSize(family, format),
-        [&](QPainter& painter) { paintLikertFigure(painter, section, family, format); },
-        format);
-  }
-  figures.participantMeans = asSvg(
-      participantMeansFigureSize(family, format),
-      [&](QPainter& painter) { paintParticipantMeansFigure(painter, section, family, format); },
-      format);
-  figures.effects = effectsOf(section, family, format);
-  if (const auto size = siteFigureSize(family, format); !size.isEmpty()) {
-    figures.sites = asSvg(
-        size,
-        [&](QPainter& painter) { paintSiteFigure(painter, section, family, format); },
-        format);
-  }
+  if (isShownByPoint(family)) figures.answers = likertFigure(section, family, format);
+  figures.participantMeans = participantMeansFigure(section, family, format);
+  figures.effects = effectFigure(section, family, format);
+  figures.sites = siteFigure(section, family, format);
   return figures;
 }
 
@@ -97,18 +75,9 @@ std::string itemFigure(
     if (isOf && !one.condition.empty()) summaries.push_back(one);
   }
   if (summaries.empty()) return {};
-  if (!summaries.front().options.empty()) {
-    return asSvg(
-        choiceFigureSize(summaries, format),
-        [&](QPainter& painter) { paintChoiceFigure(painter, section, item, summaries, format); },
-        format);
-  }
+  if (!summaries.front().options.empty()) return choiceFigure(section, item, summaries, format);
   if (answerKindOf(item.type) != questionnaires::AnswerKind::Number) return {};
-  const auto family = asFamily(item, summaries);
-  return asSvg(
-      participantMeansFigureSize(family, format),
-      [&](QPainter& painter) { paintParticipantMeansFigure(painter, section, family, format); },
-      format);
+  return participantMeansFigure(section, asFamily(item, summaries), format);
 }
 
 }  // namespace
@@ -120,7 +89,7 @@ void paintFigures(ReportSection& section, const FigureFormat& format) {
     auto& figures = section.figures.families.emplace_back(figuresOf(section, answered, format));
     if (mainFigureOf(section, family) != MainFigure::Differences) continue;
     const auto compared = mainAlternativeOf(family);
-    figures.mainEffects = effectsOf(section, withMainComparisons(answered, compared), format);
+    figures.mainEffects = effectFigure(section, withMainComparisons(answered, compared), format);
   }
   for (const auto& instrument : section.instruments) {
     for (const auto& item : instrument.items) {
@@ -128,22 +97,14 @@ void paintFigures(ReportSection& section, const FigureFormat& format) {
       if (!svg.empty()) section.figures.items.push_back({instrument.id, item.id, std::move(svg)});
     }
   }
-  if (!section.results.votes.empty()) {
-    section.figures.votes = asSvg(
-        voteFigureSize(section, format),
-        [&](QPainter& painter) { paintVoteFigure(painter, section, format); },
-        format);
-  }
+  if (!section.results.votes.empty()) section.figures.votes = voteFigure(section, format);
   for (const auto& device : section.protocol.devices) {
     const bool wasFelt = std::any_of(
         section.curves.begin(), section.curves.end(), [&](const RenderedForceCurve& curve) {
           return curve.device == device.id && !curve.points.empty();
         });
-    if (!wasFelt) continue;
-    section.figures.renderedForce.push_back(asSvg(
-        renderedForceFigureSize(section, device.id, format),
-        [&](QPainter& painter) { paintRenderedForceFigure(painter, section, device.id, format); },
-        format));
+    if (wasFelt)
+      section.figures.renderedForce.push_back(renderedForceFigure(section, device.id, format));
   }
 }
 

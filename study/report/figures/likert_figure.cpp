@@ -188,21 +188,17 @@ class LikertPainter {
 
 }  // namespace
 
-QSizeF likertFigureSize(const FamilyResult& family, const FigureFormat& format) {
+std::string likertFigure(
+    const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
   double height = kLegend + (format.isNarrow() ? kNameLine : 0.0);
   for (const auto& cohort : family.cohorts) {
     height += kHeading + kGap +
               static_cast<double>(cohort.conditions.size()) * rowHeight(format.isNarrow());
   }
-  return {format.layoutWidth(), height};
-}
-
-void paintLikertFigure(
-    QPainter& painter,
-    const ReportSection& section,
-    const FamilyResult& family,
-    const FigureFormat& format) {
-  LikertPainter(painter, section, family, format).paint();
+  return asSvg(
+      {format.layoutWidth(), height},
+      [&](QPainter& painter) { LikertPainter(painter, section, family, format).paint(); },
+      format);
 }
 
 }  // namespace study::report

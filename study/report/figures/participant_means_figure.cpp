@@ -5,6 +5,7 @@
 #include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/rows_canvas.h"
+#include "study/report/figures/svg_canvas.h"
 #include "study/results/apa_text.h"
 
 namespace study::report {
@@ -63,8 +64,8 @@ class ParticipantMeansPainter {
                 lowest_,
                 highest_)) {}
 
-  void paint() {
-    const double bottom = participantMeansFigureSize(family_, format_).height() - RowsCanvas::kAxis;
+  /// @param bottom  of the rows, where the axis is
+  void paint(double bottom) {
     canvas_.axis(
         RowsCanvas::kHeading, bottom, section_.words("mean score of each participant [points]"));
     double y = 0.0;
@@ -140,21 +141,19 @@ class ParticipantMeansPainter {
 
 }  // namespace
 
-QSizeF participantMeansFigureSize(const FamilyResult& family, const FigureFormat& format) {
-  double height = RowsCanvas::kAxis;
+std::string participantMeansFigure(
+    const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
+  double bottom = 0.0;
   for (const auto& cohort : family.cohorts) {
-    height +=
+    bottom +=
         RowsCanvas::blockHeight(format, cohort.table.methods.size(), kParticipantMeansRows.height);
   }
-  return {format.layoutWidth(), height};
-}
-
-void paintParticipantMeansFigure(
-    QPainter& painter,
-    const ReportSection& section,
-    const FamilyResult& family,
-    const FigureFormat& format) {
-  ParticipantMeansPainter(painter, section, family, format).paint();
+  return asSvg(
+      {format.layoutWidth(), bottom + RowsCanvas::kAxis},
+      [&](QPainter& painter) {
+        ParticipantMeansPainter(painter, section, family, format).paint(bottom);
+      },
+      format);
 }
 
 }  // namespace study::report

@@ -220,9 +220,7 @@ class RenderedForcePainter {
   const haptics::devices::DeviceKind::TravelDisplay* shown_ = nullptr;  ///< unit of travel
 };
 
-}  // namespace
-
-QSizeF renderedForceFigureSize(
+QSizeF renderedForceSizeOf(
     const ReportSection& section, const std::string& device, const FigureFormat& format) {
   if (!format.isNarrow()) return {format.layoutWidth(), kFigureHeight};
   const auto entries = std::ranges::count_if(
@@ -232,12 +230,14 @@ QSizeF renderedForceFigureSize(
       format.layoutWidth(), renderedForcePlotOf(format).bottom() + kForceAxisHeight + legend + 6.0};
 }
 
-void paintRenderedForceFigure(
-    QPainter& painter,
-    const ReportSection& section,
-    const std::string& device,
-    const FigureFormat& format) {
-  RenderedForcePainter(painter, section, device, format).paint();
+}  // namespace
+
+std::string renderedForceFigure(
+    const ReportSection& section, const std::string& device, const FigureFormat& format) {
+  return asSvg(
+      renderedForceSizeOf(section, device, format),
+      [&](QPainter& painter) { RenderedForcePainter(painter, section, device, format).paint(); },
+      format);
 }
 
 }  // namespace study::report

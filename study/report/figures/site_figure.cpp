@@ -4,6 +4,7 @@
 #include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/rows_canvas.h"
+#include "study/report/figures/svg_canvas.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
 
@@ -54,8 +55,8 @@ class SitePainter {
         format_(format),
         canvas_(painter, format, kSiteRows, siteScale(family)) {}
 
-  void paint() {
-    const double bottom = siteFigureSize(family_, format_).height() - RowsCanvas::kAxis;
+  /// @param bottom  of the rows, where the axis is
+  void paint(double bottom) {
     canvas_.axis(
         RowsCanvas::kHeading, bottom, section_.words("difference of participants’ means [points]"));
     forEachComparison(family_, [&](const auto& cohort, const auto& row) {
@@ -146,21 +147,17 @@ class SitePainter {
 
 }  // namespace
 
-QSizeF siteFigureSize(const FamilyResult& family, const FigureFormat& format) {
-  double height = 0.0;
+std::string siteFigure(
+    const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
+  double bottom = 0.0;
   forEachComparison(family, [&](const auto&, const auto& row) {
-    height += RowsCanvas::blockHeight(format, row.sites.size() + 1, kSiteRows.height);
+    bottom += RowsCanvas::blockHeight(format, row.sites.size() + 1, kSiteRows.height);
   });
-  if (height == 0.0) return {};
-  return {format.layoutWidth(), height + RowsCanvas::kAxis};
-}
-
-void paintSiteFigure(
-    QPainter& painter,
-    const ReportSection& section,
-    const FamilyResult& family,
-    const FigureFormat& format) {
-  SitePainter(painter, section, family, format).paint();
+  if (bottom == 0.0) return {};
+  return asSvg(
+      {format.layoutWidth(), bottom + RowsCanvas::kAxis},
+      [&](QPainter& painter) { SitePainter(painter, section, family, format).paint(bottom); },
+      format);
 }
 
 }  // namespace study::report

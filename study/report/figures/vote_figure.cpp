@@ -3,6 +3,7 @@
 #include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/rows_canvas.h"
+#include "study/report/figures/svg_canvas.h"
 
 namespace study::report {
 namespace {
@@ -71,17 +72,6 @@ std::vector<ShareGroup> sharesOf(
   return all;
 }
 
-double heightOf(std::size_t bars, const FigureFormat& format) {
-  return RowsCanvas::kHeading + kVoteGap +
-         static_cast<double>(bars) * RowsCanvas::rowHeight(format, kVoteRows.height);
-}
-
-QSizeF sizeOf(const std::vector<ShareGroup>& groups, const FigureFormat& format) {
-  double height = RowsCanvas::kAxis;
-  for (const auto& group : groups) height += heightOf(group.bars.size(), format);
-  return {format.layoutWidth(), height};
-}
-
 class SharePainter {
  public:
   SharePainter(QPainter& painter, const FigureFormat& format)
@@ -93,8 +83,8 @@ class SharePainter {
             kVoteRows,
             AxisScale({.title = {}, .least = 0.0, .most = 100.0}, 0.0, 100.0)) {}
 
-  void paint(const std::vector<ShareGroup>& groups, const std::string& axis) {
-    const double bottom = sizeOf(groups, format_).height() - RowsCanvas::kAxis;
+  /// @param bottom  of the rows, where the axis is
+  void paint(const std::vector<ShareGroup>& groups, const std::string& axis, double bottom) {
     canvas_.axis(RowsCanvas::kHeading, bottom, axis, QStringLiteral(" %"));
     double y = 0.0;
     for (const auto& group : groups) {
@@ -140,33 +130,35 @@ class SharePainter {
   RowsCanvas canvas_;
 };
 
+/// @param axis  the title of the value axis
+std::string shareFigure(
+    const std::vector<ShareGroup>& groups, const std::string& axis, const FigureFormat& format) {
+  double bottom = 0.0;
+  for (const auto& group : groups) {
+    bottom += RowsCanvas::blockHeight(format, group.bars.size(), kVoteRows.height) + kVoteGap;
+  }
+  return asSvg(
+      {format.layoutWidth(), bottom + RowsCanvas::kAxis},
+      [&](QPainter& painter) { SharePainter(painter, format).paint(groups, axis, bottom); },
+      format);
+}
+
 }  // namespace
 
-QSizeF voteFigureSize(const ReportSection& section, const FigureFormat& format) {
-  return sizeOf(sharesOf(section), format);
+std::string voteFigure(const ReportSection& section, const FigureFormat& format) {
+  return shareFigure(
+      sharesOf(section), section.words("share of the votes, with Wilson’s 95 % interval"), format);
 }
 
-void paintVoteFigure(QPainter& painter, const ReportSection& section, const FigureFormat& format) {
-  SharePainter(painter, format)
-      .paint(sharesOf(section), section.words("share of the votes, with Wilson’s 95 % interval"));
-}
-
-QSizeF choiceFigureSize(const std::vector<ItemSummary>& summaries, const FigureFormat& format) {
-  double height = RowsCanvas::kAxis;
-  for (const auto& one : summaries) height += heightOf(one.options.size(), format);
-  return {format.layoutWidth(), height};
-}
-
-void paintChoiceFigure(
-    QPainter& painter,
+std::string choiceFigure(
     const ReportSection& section,
     const questionnaires::Item& item,
     const std::vector<ItemSummary>& summaries,
     const FigureFormat& format) {
-  SharePainter(painter, format)
-      .paint(
-          sharesOf(section, item, summaries),
-          section.words("share of the answers, with Wilson’s 95 % interval"));
+  return shareFigure(
+      sharesOf(section, item, summaries),
+      section.words("share of the answers, with Wilson’s 95 % interval"),
+      format);
 }
 
 }  // namespace study::report
