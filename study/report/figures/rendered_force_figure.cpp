@@ -59,12 +59,9 @@ class RenderedForcePainter {
 
   void paint() {
     axes();
-    for (std::size_t i = 0; i < curves_.size(); ++i)
-      band(*curves_[i], categoryColour(section_.conditionIndex(curves_[i]->condition)));
-    for (std::size_t i = 0; i < curves_.size(); ++i)
-      line(*curves_[i], categoryColour(section_.conditionIndex(curves_[i]->condition)));
-    for (std::size_t i = 0; i < curves_.size(); ++i)
-      paintIntended(*curves_[i], categoryColour(section_.conditionIndex(curves_[i]->condition)));
+    for (const auto* curve : curves_) band(*curve);
+    for (const auto* curve : curves_) line(*curve);
+    for (const auto* curve : curves_) intended(*curve);
     legend();
   }
 
@@ -116,23 +113,28 @@ class RenderedForcePainter {
     painter_.drawLine(from, to);
   }
 
-  void band(const RenderedForceCurve& curve, QColor colour) {
+  QColor colourOf(const RenderedForceCurve& curve) const {
+    return categoryColour(section_.conditionIndex(curve.condition));
+  }
+
+  void band(const RenderedForceCurve& curve) {
     QPainterPath path(at(curve.points.front().travel, curve.points.front().low));
     for (const auto& point : curve.points) path.lineTo(at(point.travel, point.low));
     for (auto point = curve.points.rbegin(); point != curve.points.rend(); ++point) {
       path.lineTo(at(point->travel, point->high));
     }
+    auto colour = colourOf(curve);
     colour.setAlphaF(0.16F);
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(colour);
     painter_.drawPath(path);
   }
 
-  void line(const RenderedForceCurve& curve, const QColor& colour) {
+  void line(const RenderedForceCurve& curve) {
     QPainterPath path(at(curve.points.front().travel, curve.points.front().median));
     for (const auto& point : curve.points) path.lineTo(at(point.travel, point.median));
     painter_.setBrush(Qt::NoBrush);
-    painter_.setPen(QPen(colour, 2.2));
+    painter_.setPen(QPen(colourOf(curve), 2.2));
     painter_.drawPath(path);
     const std::size_t step = std::max<std::size_t>(curve.points.size() / kMarks, 1);
     for (std::size_t i = step / 2; i < curve.points.size(); i += step) {
@@ -143,70 +145,60 @@ class RenderedForcePainter {
   /// A mark of the condition, so that lines differ by more than their colour: a regular polygon of
   /// three corners for the first condition, four for the second, and so on.
   void mark(const RenderedForceCurve& curve, const QPointF& where) {
-    const int place = section_.conditionIndex(curve.condition);
-    const int corners = 3 + place % 5;
+    const int corners = 3 + section_.conditionIndex(curve.condition) % 5;
     QPolygonF polygon;
     for (int i = 0; i < corners; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / corners - 0.5 * std::numbers::pi;
       polygon << where + kMark * QPointF(std::cos(angle), std::sin(angle));
     }
     painter_.setPen(QPen(Qt::white, 0.8));
-    painter_.setBrush(categoryColour(place));
+    painter_.setBrush(colourOf(curve));
     painter_.drawPolygon(polygon);
     painter_.setBrush(Qt::NoBrush);
   }
 
-  void paintIntended(const RenderedForceCurve& curve, const QColor& colour) {
+  void intended(const RenderedForceCurve& curve) {
     if (curve.intended.empty()) return;
     QPainterPath path(at(curve.points.front().travel, curve.intended.front()));
     for (std::size_t i = 0; i < curve.intended.size(); ++i) {
       path.lineTo(at(curve.points[i].travel, curve.intended[i]));
     }
     painter_.setBrush(Qt::NoBrush);
-    painter_.setPen(QPen(colour, 1.2, Qt::DashLine));
+    painter_.setPen(QPen(colourOf(curve), 1.2, Qt::DashLine));
     painter_.drawPath(path);
   }
 
-  void legendBelow() {
-    double y = plot_.bottom() + kForceAxisHeight;
-    for (const auto* curve : curves_) {
-      painter_.setPen(QPen(categoryColour(section_.conditionIndex(curve->condition)), 3));
-      painter_.drawLine(QPointF(plot_.left(), y + 11), QPointF(plot_.left() + 22, y + 11));
-      mark(*curve, {plot_.left() + 11, y + 11});
-      painter_.setPen(Qt::black);
-      drawText(
-          painter_,
-          {plot_.left() + 30, y, plot_.width() - 30, 20},
-          Qt::AlignLeft | Qt::AlignVCenter,
-          QString::fromStdString(
-              section_.conditionTitle(curve->condition) + ", " +
-              section_.words.count(curve->strokes, "{} cut or stroke", "{} cuts or strokes")));
-      y += kForceLegendEntryHeight;
-    }
+  /// The line and the mark of a curve.
+  void entry(const RenderedForceCurve& curve, const QPointF& where, double length) {
+    painter_.setPen(QPen(colourOf(curve), 3));
+    painter_.drawLine(where, where + QPointF(length, 0));
+    mark(curve, where + QPointF(length / 2, 0));
+    painter_.setPen(Qt::black);
+  }
+
+  void legendText(const QRectF& where, const std::string& text) {
+    drawText(painter_, where, Qt::AlignLeft | Qt::AlignVCenter, QString::fromStdString(text));
   }
 
   void legend() {
-    if (format_.isNarrow()) return legendBelow();
-    const double width = format_.layoutWidth();
-    double y = plot_.top() + 6;
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-      const double x = plot_.right() + 18;
-      painter_.setPen(QPen(categoryColour(section_.conditionIndex(curves_[i]->condition)), 3));
-      painter_.drawLine(QPointF(x, y + 10), QPointF(x + 26, y + 10));
-      mark(*curves_[i], {x + 13, y + 10});
-      painter_.setPen(Qt::black);
-      drawText(
-          painter_,
-          {x + 34, y, width - x - 34, 20},
-          Qt::AlignLeft | Qt::AlignVCenter,
-          QString::fromStdString(section_.conditionTitle(curves_[i]->condition)));
-      drawText(
-          painter_,
-          {x + 34, y + 17, width - x - 34, 18},
-          Qt::AlignLeft | Qt::AlignVCenter,
-          QString::fromStdString(
-              section_.words.count(curves_[i]->strokes, "{} cut or stroke", "{} cuts or strokes")));
-      y += 44;
+    const bool isBelow = format_.isNarrow();
+    const double x = isBelow ? plot_.left() : plot_.right() + 18;
+    double y = isBelow ? plot_.bottom() + kForceAxisHeight : plot_.top() + 6;
+    for (const auto* curve : curves_) {
+      const auto title = section_.conditionTitle(curve->condition);
+      const auto strokes =
+          section_.words.count(curve->strokes, "{} cut or stroke", "{} cuts or strokes");
+      if (isBelow) {
+        entry(*curve, {x, y + 11}, 22);
+        legendText({x + 30, y, plot_.width() - 30, 20}, title + ", " + strokes);
+        y += kForceLegendEntryHeight;
+      } else {
+        const double width = format_.layoutWidth() - x - 34;
+        entry(*curve, {x, y + 10}, 26);
+        legendText({x + 34, y, width, 20}, title);
+        legendText({x + 34, y + 17, width, 18}, strokes);
+        y += 44;
+      }
     }
   }
 
