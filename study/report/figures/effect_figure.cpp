@@ -46,7 +46,6 @@ class EffectPainter {
       : painter_(painter),
         section_(section),
         family_(family),
-        format_(format),
         canvas_(painter, format, kEffectRows, effectScale(family)) {}
 
   /// @param bottom  of the rows, where the axis is
@@ -60,46 +59,38 @@ class EffectPainter {
     }
     canvas_.axis(top, bottom, section_.words("difference of participants’ means [points]"));
     canvas_.reference(0.0, top, bottom);
-    double y = 0.0;
     for (const auto& cohort : family_.cohorts) {
-      canvas_.heading(section_.cohortTitle(cohort.cohort), y);
-      y += RowsCanvas::kHeading;
+      canvas_.heading(section_.cohortTitle(cohort.cohort));
       for (const auto& row : cohort.within.rows) {
-        effect(row, y);
-        y += RowsCanvas::rowHeight(format_, kEffectRows.height);
+        effect(row);
+        canvas_.nextRow();
       }
     }
   }
 
  private:
-  void effect(const analysis::WithinComparison& row, double y) {
-    canvas_.name(
-        section_.conditionTitle(row.group1) + " − " + section_.conditionTitle(row.group2),
-        y,
-        kEffectRows.height);
+  void effect(const analysis::WithinComparison& row) {
+    canvas_.name(section_.conditionTitle(row.group1) + " − " + section_.conditionTitle(row.group2));
     const auto& test = row.test("paired_t");
     const auto difference = test.estimate.value;
     if (!difference) {
-      canvas_.words(section_.words("not defined"), y, kEffectRows.height);
+      canvas_.words(section_.words("not defined"));
       return;
     }
-    const double middle = canvas_.drawingOf(y) + kEffectRows.height / 2;
     const QColor colour = categoryColour(0);
     if (const auto wider = correctedInterval(family_, test)) {
-      canvas_.interval(wider->low, wider->high, middle, colour, 1.4);
+      canvas_.interval(wider->low, wider->high, canvas_.middle(), colour, 1.4);
     }
     if (test.interval) {
-      canvas_.interval(test.interval->low, test.interval->high, middle, colour, 4.0);
+      canvas_.interval(test.interval->low, test.interval->high, canvas_.middle(), colour, 4.0);
     }
-    canvas_.dot(*difference, middle, colour, 5.5);
-    canvas_.words(
-        rounded(difference, 2) + " " + formatInterval(test.interval), y, kEffectRows.height);
+    canvas_.dot(*difference, canvas_.middle(), colour, 5.5);
+    canvas_.words(rounded(difference, 2) + " " + formatInterval(test.interval));
   }
 
   QPainter& painter_;
   const ReportSection& section_;
   const FamilyResult& family_;
-  FigureFormat format_;
   RowsCanvas canvas_;
 };
 
@@ -109,7 +100,7 @@ std::string effectFigure(
     const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
   double bottom = 0.0;
   for (const auto& cohort : family.cohorts) {
-    bottom += RowsCanvas::blockHeight(format, cohort.within.rows.size(), kEffectRows.height);
+    bottom += RowsCanvas::blockHeight(format, cohort.within.rows.size(), kEffectRows);
   }
   return asSvg(
       {format.layoutWidth(), bottom + RowsCanvas::kAxis},

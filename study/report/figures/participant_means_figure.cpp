@@ -50,7 +50,6 @@ class ParticipantMeansPainter {
       : painter_(painter),
         section_(section),
         family_(family),
-        format_(format),
         lowest_(family.cohorts.front().table.lowest),
         highest_(family.cohorts.front().table.highest),
         canvas_(
@@ -68,31 +67,25 @@ class ParticipantMeansPainter {
   void paint(double bottom) {
     canvas_.axis(
         RowsCanvas::kHeading, bottom, section_.words("mean score of each participant [points]"));
-    double y = 0.0;
     for (const auto& cohort : family_.cohorts) {
-      canvas_.heading(section_.cohortTitle(cohort.cohort), y);
-      y += RowsCanvas::kHeading;
+      canvas_.heading(section_.cohortTitle(cohort.cohort));
       for (std::size_t method = 0; method < cohort.table.methods.size(); ++method) {
-        row(cohort.table, method, y);
-        y += RowsCanvas::rowHeight(format_, kParticipantMeansRows.height);
+        row(cohort.table, method);
+        canvas_.nextRow();
       }
     }
   }
 
  private:
-  void row(const analysis::AnswerTable& table, std::size_t method, double y) {
-    canvas_.name(section_.conditionTitle(table.methods[method]), y, kParticipantMeansRows.height);
+  void row(const analysis::AnswerTable& table, std::size_t method) {
+    canvas_.name(section_.conditionTitle(table.methods[method]));
     const auto values = valuesOf(table, method);
     const std::string number = "n = " + std::to_string(values.size());
-    canvas_.words(
-        values.empty() ? number : number + ", M = " + rounded(meanOf(values), 2),
-        y,
-        kParticipantMeansRows.height);
+    canvas_.words(values.empty() ? number : number + ", M = " + rounded(meanOf(values), 2));
     if (values.empty()) return;
-    const double middle = canvas_.drawingOf(y) + kParticipantMeansRows.height / 2;
     const QColor colour = categoryColour(section_.conditionIndex(table.methods[method]));
-    box(values, middle, colour);
-    if (values.size() <= kMostDots) dots(values, middle, colour);
+    box(values, canvas_.middle(), colour);
+    if (values.size() <= kMostDots) dots(values, canvas_.middle(), colour);
   }
 
   void box(const std::vector<double>& values, double middle, const QColor& colour) {
@@ -133,7 +126,6 @@ class ParticipantMeansPainter {
   QPainter& painter_;
   const ReportSection& section_;
   const FamilyResult& family_;
-  FigureFormat format_;
   double lowest_;
   double highest_;
   RowsCanvas canvas_;
@@ -145,8 +137,7 @@ std::string participantMeansFigure(
     const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
   double bottom = 0.0;
   for (const auto& cohort : family.cohorts) {
-    bottom +=
-        RowsCanvas::blockHeight(format, cohort.table.methods.size(), kParticipantMeansRows.height);
+    bottom += RowsCanvas::blockHeight(format, cohort.table.methods.size(), kParticipantMeansRows);
   }
   return asSvg(
       {format.layoutWidth(), bottom + RowsCanvas::kAxis},

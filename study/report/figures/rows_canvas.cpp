@@ -9,47 +9,33 @@ constexpr int kFewTicks = 6;
 
 }  // namespace
 
-void RowsCanvas::heading(const std::string& text, double y) {
+void RowsCanvas::heading(const std::string& text) {
   painter_.setPen(Qt::black);
   drawText(
       painter_,
-      {0, y, width_, kHeading},
+      {0, y_, width_, kHeading},
       Qt::AlignLeft | Qt::AlignVCenter,
       QString::fromStdString(text),
       true);
+  skip(kHeading);
 }
 
-void RowsCanvas::name(const std::string& text, double y, double height) {
+void RowsCanvas::name(const std::string& text) {
   painter_.setPen(Qt::black);
-  if (isNarrow_) {
-    drawText(
-        painter_,
-        {0, y, width_, kNameLine},
-        Qt::AlignLeft | Qt::AlignVCenter,
-        QString::fromStdString(text));
-    return;
-  }
   drawText(
       painter_,
-      {0, y, left_ - 14, height},
-      Qt::AlignRight | Qt::AlignVCenter | Qt::TextWordWrap,
+      isNarrow_ ? QRectF(0, y_, width_, kNameLine) : QRectF(0, y_, left_ - 14, drawing_),
+      Qt::AlignVCenter | (isNarrow_ ? Qt::AlignLeft : Qt::AlignRight | Qt::TextWordWrap),
       QString::fromStdString(text));
 }
 
-void RowsCanvas::words(const std::string& text, double y, double height) {
+void RowsCanvas::words(const std::string& text) {
   painter_.setPen(Qt::black);
-  if (isNarrow_) {
-    drawText(
-        painter_,
-        {0, y, width_, kNameLine},
-        Qt::AlignRight | Qt::AlignVCenter,
-        QString::fromStdString(text));
-    return;
-  }
   drawText(
       painter_,
-      {right_ + 14, y, width_ - right_ - 14, height},
-      Qt::AlignLeft | Qt::AlignVCenter,
+      isNarrow_ ? QRectF(0, y_, width_, kNameLine)
+                : QRectF(right_ + 14, y_, width_ - right_ - 14, drawing_),
+      Qt::AlignVCenter | (isNarrow_ ? Qt::AlignRight : Qt::AlignLeft),
       QString::fromStdString(text));
 }
 

@@ -52,7 +52,6 @@ class SitePainter {
       : painter_(painter),
         section_(section),
         family_(family),
-        format_(format),
         canvas_(painter, format, kSiteRows, siteScale(family)) {}
 
   /// @param bottom  of the rows, where the axis is
@@ -62,28 +61,24 @@ class SitePainter {
     forEachComparison(family_, [&](const auto& cohort, const auto& row) {
       canvas_.heading(
           section_.cohortTitle(cohort.cohort) + ": " + section_.conditionTitle(row.group1) + " − " +
-              section_.conditionTitle(row.group2),
-          y_);
-      y_ += RowsCanvas::kHeading;
-      const auto rows = static_cast<double>(row.sites.size() + 1);
-      canvas_.reference(0.0, y_, y_ + rows * RowsCanvas::rowHeight(format_, kSiteRows.height));
+          section_.conditionTitle(row.group2));
+      canvas_.reference(0.0, canvas_.y(), canvas_.y() + canvas_.heightOf(row.sites.size() + 1));
       for (const auto& one : row.sites) {
         paintSite(one);
-        y_ += RowsCanvas::rowHeight(format_, kSiteRows.height);
+        canvas_.nextRow();
       }
       paintPooled(row);
-      y_ += RowsCanvas::rowHeight(format_, kSiteRows.height);
+      canvas_.nextRow();
     });
   }
 
  private:
-  double middle() const { return canvas_.drawingOf(y_) + kSiteRows.height / 2; }
   double clampedToPlot(double x) const { return std::clamp(x, canvas_.left(), canvas_.right()); }
 
   void paintSite(const analysis::SiteDifference& one) {
-    canvas_.name(one.site + " (n = " + std::to_string(one.test.n) + ")", y_, kSiteRows.height);
+    canvas_.name(one.site + " (n = " + std::to_string(one.test.n) + ")");
     if (!one.test.meanDifference) {
-      canvas_.words(section_.words("not defined"), y_, kSiteRows.height);
+      canvas_.words(section_.words("not defined"));
       return;
     }
     const QColor colour = categoryColour(0);
@@ -92,10 +87,10 @@ class SitePainter {
     painter_.setPen(QPen(Qt::white, 1));
     painter_.setBrush(colour);
     const double x = canvas_.x(*one.test.meanDifference);
-    painter_.drawRect(QRectF(x - half, middle() - half, 2.0 * half, 2.0 * half));
+    painter_.drawRect(QRectF(x - half, canvas_.middle() - half, 2.0 * half, 2.0 * half));
     auto words = rounded(one.test.meanDifference, 2) + " " + formatInterval(one.interval);
     if (one.weight > 0.0) words += "  " + rounded(100.0 * one.weight, 0) + " %";
-    canvas_.words(words, y_, kSiteRows.height);
+    canvas_.words(words);
   }
 
   /// The line from end to end; an arrow where an end is beyond the axis.
@@ -103,46 +98,45 @@ class SitePainter {
     const double low = clampedToPlot(canvas_.x(interval.low));
     const double high = clampedToPlot(canvas_.x(interval.high));
     painter_.setPen(QPen(colour, 1.8, Qt::SolidLine, Qt::FlatCap));
-    painter_.drawLine(QPointF(low, middle()), QPointF(high, middle()));
+    const double y = canvas_.middle();
+    painter_.drawLine(QPointF(low, y), QPointF(high, y));
     if (low <= canvas_.left()) paintArrow(low, 1.0);
     if (high >= canvas_.right()) paintArrow(high, -1.0);
   }
 
   void paintArrow(double tip, double direction) {
+    const QPointF at(tip, canvas_.middle());
     for (const double side : {-4.0, 4.0}) {
-      painter_.drawLine(QPointF(tip, middle()), QPointF(tip + direction * 6.0, middle() + side));
+      painter_.drawLine(at, at + QPointF(direction * 6.0, side));
     }
   }
 
   void paintPooled(const analysis::SiteComparison& row) {
-    canvas_.name(section_.words("All sites"), y_, kSiteRows.height);
+    canvas_.name(section_.words("All sites"));
     if (!row.pooled) {
-      canvas_.words(section_.words("not defined"), y_, kSiteRows.height);
+      canvas_.words(section_.words("not defined"));
       return;
     }
     const auto& all = row.pooled->knappHartung;
     constexpr double kHalf = 7.0;
+    const double y = canvas_.middle();
     QPolygonF diamond;
-    diamond << QPointF(clampedToPlot(canvas_.x(all.interval.low)), middle())
-            << QPointF(canvas_.x(all.estimate), middle() - kHalf)
-            << QPointF(clampedToPlot(canvas_.x(all.interval.high)), middle())
-            << QPointF(canvas_.x(all.estimate), middle() + kHalf);
+    diamond << QPointF(clampedToPlot(canvas_.x(all.interval.low)), y)
+            << QPointF(canvas_.x(all.estimate), y - kHalf)
+            << QPointF(clampedToPlot(canvas_.x(all.interval.high)), y)
+            << QPointF(canvas_.x(all.estimate), y + kHalf);
     painter_.setPen(QPen(Qt::black, 1));
     painter_.setBrush(categoryColour(1));
     painter_.drawPolygon(diamond);
     canvas_.words(
         rounded(all.estimate, 2) + " " + formatInterval(all.interval) +
-            "  I² = " + rounded(100.0 * row.pooled->reml.iSquared, 0) + " %",
-        y_,
-        kSiteRows.height);
+        "  I² = " + rounded(100.0 * row.pooled->reml.iSquared, 0) + " %");
   }
 
   QPainter& painter_;
   const ReportSection& section_;
   const FamilyResult& family_;
-  FigureFormat format_;
   RowsCanvas canvas_;
-  double y_ = 0.0;
 };
 
 }  // namespace
@@ -151,7 +145,7 @@ std::string siteFigure(
     const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
   double bottom = 0.0;
   forEachComparison(family, [&](const auto&, const auto& row) {
-    bottom += RowsCanvas::blockHeight(format, row.sites.size() + 1, kSiteRows.height);
+    bottom += RowsCanvas::blockHeight(format, row.sites.size() + 1, kSiteRows);
   });
   if (bottom == 0.0) return {};
   return asSvg(

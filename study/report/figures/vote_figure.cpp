@@ -76,7 +76,6 @@ class SharePainter {
  public:
   SharePainter(QPainter& painter, const FigureFormat& format)
       : painter_(painter),
-        format_(format),
         canvas_(
             painter,
             format,
@@ -86,47 +85,44 @@ class SharePainter {
   /// @param bottom  of the rows, where the axis is
   void paint(const std::vector<ShareGroup>& groups, const std::string& axis, double bottom) {
     canvas_.axis(RowsCanvas::kHeading, bottom, axis, QStringLiteral(" %"));
-    double y = 0.0;
     for (const auto& group : groups) {
-      canvas_.heading(group.heading, y);
-      y += RowsCanvas::kHeading;
-      const double top = y;
+      canvas_.heading(group.heading);
+      const double top = canvas_.y();
       for (const auto& share : group.bars) {
-        bar(share, group.total, y);
-        y += RowsCanvas::rowHeight(format_, kVoteRows.height);
+        bar(share, group.total);
+        canvas_.nextRow();
       }
       if (group.marksEqualShare && !group.bars.empty()) {
-        canvas_.reference(100.0 / static_cast<double>(group.bars.size()), top, y, Qt::DashLine);
+        canvas_.reference(
+            100.0 / static_cast<double>(group.bars.size()), top, canvas_.y(), Qt::DashLine);
       }
-      y += kVoteGap;
+      canvas_.skip(kVoteGap);
     }
   }
 
  private:
-  void bar(const Share& share, std::uint64_t total, double y) {
-    canvas_.name(share.name, y, kVoteRows.height);
-    canvas_.words(std::to_string(share.times) + " / " + std::to_string(total), y, kVoteRows.height);
+  void bar(const Share& share, std::uint64_t total) {
+    canvas_.name(share.name);
+    canvas_.words(std::to_string(share.times) + " / " + std::to_string(total));
     if (total == 0) return;
-    y = canvas_.drawingOf(y);
     const double percent = 100.0 * static_cast<double>(share.times) / static_cast<double>(total);
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(categoryColour(share.colour));
     painter_.drawRect(QRectF(
         canvas_.x(0.0),
-        y + (kVoteRows.height - kVoteBar) / 2,
+        canvas_.middle() - kVoteBar / 2,
         canvas_.x(percent) - canvas_.x(0.0),
         kVoteBar));
     if (!share.interval) return;
     canvas_.interval(
         100.0 * share.interval->low,
         100.0 * share.interval->high,
-        y + kVoteRows.height / 2,
+        canvas_.middle(),
         QColor(40, 40, 40),
         1.6);
   }
 
   QPainter& painter_;
-  FigureFormat format_;
   RowsCanvas canvas_;
 };
 
@@ -135,7 +131,7 @@ std::string shareFigure(
     const std::vector<ShareGroup>& groups, const std::string& axis, const FigureFormat& format) {
   double bottom = 0.0;
   for (const auto& group : groups) {
-    bottom += RowsCanvas::blockHeight(format, group.bars.size(), kVoteRows.height) + kVoteGap;
+    bottom += RowsCanvas::blockHeight(format, group.bars.size(), kVoteRows) + kVoteGap;
   }
   return asSvg(
       {format.layoutWidth(), bottom + RowsCanvas::kAxis},
