@@ -70,11 +70,8 @@ class ConsentPage {
         consent_(consent),
         trail_(std::move(trail)),
         language_(consent.answers.begin()->second.answer.language),
-        htmlOf_(htmlOf) {
-    const auto known = words::languages();
-    const bool isKnown = std::find(known.begin(), known.end(), language_) != known.end();
-    words_ = words::wordsIn(isKnown ? language_ : "en");
-  }
+        htmlOf_(htmlOf),
+        words_(words::wordsOrEnglish(language_)) {}
 
   std::string html() {
     const auto& study = protocol_.protocol.study;

@@ -87,5 +87,7 @@ std::vector<std::string> languages();
 
 /// @throws std::invalid_argument  for an unknown language; names the known ones.
 Words wordsIn(std::string_view language);
+/// The same; English for a language without words.
+Words wordsOrEnglish(std::string_view language);
 
 }  // namespace study::words

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
@@ -11,6 +12,11 @@ std::vector<std::string> languages() {
   for (const auto& file : catalogueFiles())
     all.emplace_back(file.name.substr(0, file.name.find('.')));
   return all;
+}
+
+Words wordsOrEnglish(std::string_view language) {
+  const auto known = languages();
+  return std::ranges::find(known, language) == known.end() ? Words() : wordsIn(language);
 }
 
 Words wordsIn(std::string_view language) {

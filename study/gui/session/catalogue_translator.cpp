@@ -1,14 +1,20 @@
 #include "study/gui/session/catalogue_translator.h"
 
-#include <algorithm>
 #include <string>
+
+#include <QCoreApplication>
 
 namespace study::gui {
 
 void CatalogueTranslator::setLanguage(std::string_view language) {
-  const auto all = words::languages();
-  const bool isKnown = std::find(all.begin(), all.end(), language) != all.end();
-  windows_ = isKnown ? words::wordsIn(language).catalogue().windows : words::Catalogue::Windows();
+  windows_ = words::wordsOrEnglish(language).catalogue().windows;
+}
+
+void CatalogueTranslator::speak(std::string_view language) {
+  // A translator that is installed already does not tell the windows that its texts have changed.
+  QCoreApplication::removeTranslator(this);
+  setLanguage(language);
+  QCoreApplication::installTranslator(this);
 }
 
 QString CatalogueTranslator::translate(

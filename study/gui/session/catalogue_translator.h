@@ -14,6 +14,8 @@ class CatalogueTranslator final : public QTranslator {
  public:
   /// Sets the language of the texts ("de").
   void setLanguage(std::string_view language);
+  /// The same, and gives the windows these texts.
+  void speak(std::string_view language);
 
   bool isEmpty() const override { return windows_.empty(); }
   QString translate(

@@ -1,7 +1,5 @@
 #include "study/gui/widgets/desk_language.h"
 
-#include <algorithm>
-
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QLibraryInfo>
@@ -57,9 +55,7 @@ void setDeskLanguage(std::string_view language) {
   auto& [texts, dialogs] = desk();
   QCoreApplication::removeTranslator(&texts);
   QCoreApplication::removeTranslator(&dialogs);
-  const auto all = words::languages();
-  const bool isKnown = std::find(all.begin(), all.end(), language) != all.end();
-  texts.setLanguage(words::wordsIn(isKnown ? language : "en"));
+  texts.setLanguage(words::wordsOrEnglish(language));
   if (texts.isEmpty()) return;
   const auto file = QStringLiteral("qtbase_%1").arg(asText(language));
   if (dialogs.load(file, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
