@@ -100,9 +100,9 @@ class VerdictWriter {
  public:
   explicit VerdictWriter(const ReportSection& section) : section_(section), words_(section.words) {}
 
-  Conclusion all() {
+  Answer all() {
     const auto alone = words_("One participant so far: nothing can be compared.");
-    if (section_.results.completed() == 1) return {.finding = alone, .more = {}};
+    if (section_.results.completed() == 1) return {.finding = alone};
     const auto named = mostNamedIn(section_.results);
     const auto* family = mainFamily(section_);
     Names sentences;
@@ -113,7 +113,7 @@ class VerdictWriter {
       std::ranges::move(comparisons(*family), std::back_inserter(sentences));
     }
     if (named) sentences.push_back(votes(*named));
-    Conclusion conclusion;
+    Answer conclusion;
     if (sentences.empty()) return conclusion;
     conclusion.finding = withCurlyQuotes(sentences.front());
     sentences.erase(sentences.begin());
@@ -159,13 +159,13 @@ class VerdictWriter {
     const auto& phases = section_.protocol.phases;
     const auto asks = std::ranges::find(phases, phase, &protocols::Phase::id);
     if (asks == phases.end()) return nullptr;
-    for (const auto& instrument : section_.instruments) {
-      if (instrument.id != asks->instrument) continue;
-      for (const auto& item : instrument.items) {
-        if (item.optionSource == questionnaires::OptionSource::Alternatives) return &item;
-      }
-    }
-    return nullptr;
+    const auto* instrument = section_.instrument(asks->instrument);
+    if (instrument == nullptr) return nullptr;
+    const auto item = std::ranges::find(
+        instrument->items,
+        questionnaires::OptionSource::Alternatives,
+        &questionnaires::Item::optionSource);
+    return item == instrument->items.end() ? nullptr : &*item;
   }
 
   /// Which mean of all answers is the highest, of a family that is not tested.
@@ -516,7 +516,7 @@ std::string highestRatedIn(const FamilyResult& family) {
   return best;
 }
 
-Conclusion conclusionOf(const ReportSection& section) {
+Answer conclusionOf(const ReportSection& section) {
   return VerdictWriter(section).all();
 }
 

@@ -7,11 +7,12 @@
 #include <QXmlStreamReader>
 
 namespace study::report {
-namespace {
 
 QByteArray bytesOf(std::string_view text) {
   return {text.data(), static_cast<qsizetype>(text.size())};
 }
+
+namespace {
 
 /// "matrix(0.1,0,0,0.1,0,0)", as QSvgGenerator writes it at every group.
 QTransform matrixOf(const QString& attribute) {

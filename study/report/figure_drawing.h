@@ -11,6 +11,8 @@
 
 namespace study::report {
 
+QByteArray bytesOf(std::string_view text);
+
 /// The typeface of reports and their figures: Carlito if it is installed (the package depends on
 /// it), otherwise DejaVu Sans.
 const QString& typeface();

@@ -41,18 +41,16 @@ class InstrumentWriter : HtmlWriter {
   template <typename Do>
   void forEach(Do&& write) const {
     for (const auto& summary : section_.results.instruments) {
-      const auto found = std::ranges::find(
-          section_.instruments, summary.instrument, &questionnaires::Instrument::id);
-      if (found == section_.instruments.end()) continue;
+      const auto* found = section_.instrument(summary.instrument);
+      if (found == nullptr) continue;
       write(*found, escaped(found->title.in(section_.words.language())), summary);
     }
   }
 
   /// The statements of a family's comparisons that the score of its instrument leaves out.
   void leftOutOfScore(const protocols::Family& family) {
-    const auto found =
-        std::ranges::find(section_.instruments, family.instrument, &questionnaires::Instrument::id);
-    const bool hasOneScore = found != section_.instruments.end() && found->scores.size() == 1;
+    const auto* found = section_.instrument(family.instrument);
+    const bool hasOneScore = found != nullptr && found->scores.size() == 1;
     if (!hasConditionScore_ || !hasOneScore || !family.score.empty()) return;
     const auto& score = found->scores.front();
     std::vector<std::string> others;

@@ -45,11 +45,12 @@ struct Item {
   bool keepsNext() const { return isHeading || isFigure || isEndOfList; }
 };
 
-bool holdsFigure(const QTextBlock& block) {
+/// The figure of a paragraph; not valid if it has none.
+QTextFragment figureIn(const QTextBlock& block) {
   for (auto it = block.begin(); !it.atEnd(); ++it) {
-    if (it.fragment().charFormat().objectType() == kFigure) return true;
+    if (it.fragment().charFormat().objectType() == kFigure) return it.fragment();
   }
-  return false;
+  return {};
 }
 
 /// Whether a paragraph is a note, which is about the table above: notes are grey (print_html.cpp).
@@ -76,7 +77,7 @@ Item itemOf(const QTextDocument& document, const QTextBlock& block) {
   const auto* lines = block.layout();
   Item item{.block = block, .top = where.top(), .bottom = where.bottom()};
   item.isHeading = block.blockFormat().headingLevel() > 0;
-  item.isFigure = holdsFigure(block);
+  item.isFigure = figureIn(block).isValid();
   item.isEndOfList = isBesideItem(block);
   // Qt moves a figure that does not fit down within its paragraph, which is then higher than the
   // figure.
@@ -290,23 +291,19 @@ void setPageBreak(const Item& item, QTextFormat::PageBreakFlag policy) {
 
 /// Shrinks the figure of a paragraph to @p factor of its size.
 void shrink(const Item& item, double factor) {
-  for (auto it = item.block.begin(); !it.atEnd(); ++it) {
-    auto format = it.fragment().charFormat();
-    if (format.objectType() != kFigure) continue;
-    format.setProperty(kFigureScale, factor);
-    QTextCursor cursor(item.block);
-    cursor.setPosition(it.fragment().position());
-    cursor.setPosition(it.fragment().position() + 1, QTextCursor::KeepAnchor);
-    cursor.setCharFormat(format);
-    return;
-  }
+  const auto figure = figureIn(item.block);
+  if (!figure.isValid()) return;
+  auto format = figure.charFormat();
+  format.setProperty(kFigureScale, factor);
+  QTextCursor cursor(item.block);
+  cursor.setPosition(figure.position());
+  cursor.setPosition(figure.position() + 1, QTextCursor::KeepAnchor);
+  cursor.setCharFormat(format);
 }
 
 bool isShrunk(const Item& item) {
-  for (auto it = item.block.begin(); !it.atEnd(); ++it) {
-    if (it.fragment().charFormat().hasProperty(kFigureScale)) return true;
-  }
-  return false;
+  const auto figure = figureIn(item.block);
+  return figure.isValid() && figure.charFormat().hasProperty(kFigureScale);
 }
 
 double headHeightOf(const QTextTable& table) {

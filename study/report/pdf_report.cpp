@@ -28,10 +28,6 @@
 namespace study::report {
 namespace {
 
-QByteArray bytesOf(std::string_view text) {
-  return {text.data(), static_cast<qsizetype>(text.size())};
-}
-
 /// Draws figures in a text document as vectors, not as pixels.
 class FigureObjects : public QObject, public QTextObjectInterface {
   Q_OBJECT

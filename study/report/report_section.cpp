@@ -182,6 +182,11 @@ words::Words withDevices(const words::Words& words, const protocols::Protocol& p
 
 }  // namespace
 
+const questionnaires::Instrument* ReportSection::instrument(std::string_view id) const {
+  const auto found = std::ranges::find(instruments, id, &questionnaires::Instrument::id);
+  return found == instruments.end() ? nullptr : &*found;
+}
+
 const std::string& ReportSection::conditionTitle(const std::string& condition) const {
   return protocol.condition(condition)->title;
 }
@@ -266,6 +271,20 @@ std::string ReportSection::inWords(const base::Message& message) const {
   return message.key().empty() ? words(message) : words(base::Message(kind, arguments));
 }
 
+std::string originInWords(const ReportSection& section) {
+  switch (section.results.runMode) {
+    case RunMode::Live:
+      return {};
+    case RunMode::Pilot:
+      return section.words("Pilot sessions: not for publication.");
+    case RunMode::Simulated:
+      return section.words(
+          "Simulated: nobody took part. These numbers show what the program does; they say "
+          "nothing about any method.");
+  }
+  return {};
+}
+
 std::string listed(const std::vector<std::string>& names, const words::Words& words) {
   std::string first;
   for (std::size_t i = 0; i + 1 < names.size(); ++i) first += (i == 0 ? "" : ", ") + names[i];
@@ -310,9 +329,8 @@ std::string scaleInWords(
 }
 
 std::string scaleInWords(const ReportSection& section, const protocols::Family& family) {
-  const auto instrument =
-      std::ranges::find(section.instruments, family.instrument, &questionnaires::Instrument::id);
-  if (instrument == section.instruments.end()) return {};
+  const auto* instrument = section.instrument(family.instrument);
+  if (instrument == nullptr) return {};
   if (!family.score.empty()) {
     const auto scale = protocols::scaleOf(family, *instrument);
     if (!scale) return {};

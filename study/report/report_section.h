@@ -115,6 +115,8 @@ struct ReportSection {
   Figures figures = {};
   words::Words words;  ///< in the language of the report
 
+  /// nullptr if the study has no such questionnaire.
+  const questionnaires::Instrument* instrument(std::string_view id) const;
   const std::string& conditionTitle(const std::string& condition) const;
   /// The index among the protocol's conditions, from 0; it selects the condition's colour in every
   /// figure.
@@ -133,6 +135,9 @@ struct ReportSection {
   /// there is none.
   std::string titleOf(const std::string& id) const;
 };
+
+/// What kind of sessions the results are of; empty for live ones.
+std::string originInWords(const ReportSection& section);
 
 /// "Interpolation, FEM and KF".
 std::string listed(const std::vector<std::string>& names, const words::Words& words);

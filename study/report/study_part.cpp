@@ -16,19 +16,15 @@ class HeadWriter : HtmlWriter {
   using HtmlWriter::HtmlWriter;
 
   std::string all() {
-    head();
-    return std::move(html_);
-  }
-
- private:
-  void head() {
     banner();
     const auto verdict = verdictOf(section_);
     if (!verdict.empty()) put("<p class=\"verdict\">{}</p>", escaped(verdict));
     if (!section_.results.families.empty()) heading("The question");
     for (const auto& family : section_.results.families) putDeclared(family);
+    return std::move(html_);
   }
 
+ private:
   void putDeclared(const FamilyResult& result) {
     const auto& family = result.family;
     std::vector<std::string> compared;
@@ -53,9 +49,8 @@ class HeadWriter : HtmlWriter {
   /// "Compared are the answers to 6 questions (3 reversed) in round 1 and round 2; scale from 1 to
   /// 5."; without the round if there is only one; empty for a score.
   std::string whatIsCompared(const protocols::Family& family) const {
-    const auto instrument =
-        std::ranges::find(section_.instruments, family.instrument, &questionnaires::Instrument::id);
-    if (instrument == section_.instruments.end() || !family.score.empty()) return {};
+    const auto* instrument = section_.instrument(family.instrument);
+    if (instrument == nullptr || !family.score.empty()) return {};
     const auto items = protocols::comparedItems(family, instrument->items);
     const auto reversed =
         std::ranges::count_if(items, [](const auto& item) { return item.key < 0; });
@@ -88,15 +83,7 @@ class HeadWriter : HtmlWriter {
 
   /// One banner for all that a reader must know before any number.
   void banner() {
-    std::string text;
-    if (section_.results.runMode == RunMode::Simulated) {
-      text =
-          say("Simulated: nobody took part. These numbers show what the program does; they say "
-              "nothing about any method.");
-    }
-    if (section_.results.runMode == RunMode::Pilot) {
-      text = say("Pilot sessions: not for publication.");
-    }
+    std::string text = escaped(withCurlyQuotes(originInWords(section_)));
     const auto made = syntheticInWords();
     const bool isOfPilotOnly = section_.results.runMode == RunMode::Pilot && made.empty();
     if (!made.empty()) text += (text.empty() ? "" : " ") + made;
@@ -130,23 +117,6 @@ class ParticipantWriter : HtmlWriter {
   using HtmlWriter::HtmlWriter;
 
   std::string all() {
-    flow();
-    return std::move(html_);
-  }
-
- private:
-  using Count = std::pair<std::string_view, int CohortFlow::*>;
-  static constexpr std::array<Count, 8> kColumns{
-      {{"Enrolled", &CohortFlow::enrolled},
-       {"Completed", &CohortFlow::completed},
-       {"In progress", &CohortFlow::inProgress},
-       {"Declined", &CohortFlow::declined},
-       {"Withdrawn", &CohortFlow::withdrawn},
-       {"Rejected", &CohortFlow::rejected},
-       {"Device failed", &CohortFlow::abortedHardware},
-       {"Erased", &CohortFlow::erased}}};
-
-  void flow() {
     heading("Participants");
     int enrolled = 0;
     bool isAnyErased = false;
@@ -182,7 +152,20 @@ class ParticipantWriter : HtmlWriter {
     endTable();
     if (!didAllComplete) notes(isAnyErased);
     warnOfSinglePeople();
+    return std::move(html_);
   }
+
+ private:
+  using Count = std::pair<std::string_view, int CohortFlow::*>;
+  static constexpr std::array<Count, 8> kColumns{
+      {{"Enrolled", &CohortFlow::enrolled},
+       {"Completed", &CohortFlow::completed},
+       {"In progress", &CohortFlow::inProgress},
+       {"Declined", &CohortFlow::declined},
+       {"Withdrawn", &CohortFlow::withdrawn},
+       {"Rejected", &CohortFlow::rejected},
+       {"Device failed", &CohortFlow::abortedHardware},
+       {"Erased", &CohortFlow::erased}}};
 
   /// Warns of numbers that are one person's answers.
   void warnOfSinglePeople() {

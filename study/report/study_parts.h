@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "study/report/answer.h"
 #include "study/report/report_section.h"
 
 // The parts of a page about one study. Each is HTML, and may be empty.
@@ -20,11 +21,8 @@ std::string headAsHtml(const ReportSection& section);
 std::string participantsAsHtml(const ReportSection& section);
 
 /// What was found, in plain sentences without statistics; empty without answers.
-struct Conclusion {
-  std::string finding;  ///< of the declared test, or what was named most often: a sentence
-  std::string more;     ///< the other sentences; may be empty
-};
-Conclusion conclusionOf(const ReportSection& section);
+/// The finding is of the declared test, or what was named most often.
+Answer conclusionOf(const ReportSection& section);
 
 /// The same as a paragraph.
 std::string verdictOf(const ReportSection& section);

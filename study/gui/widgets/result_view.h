@@ -8,7 +8,7 @@
 
 #include "study/gui/widgets/note_list.h"
 #include "study/model/data_table.h"
-#include "study/report/tables/answer.h"
+#include "study/report/answer.h"
 
 namespace study::gui {
 

@@ -136,7 +136,7 @@ class LikertPainter {
 
   void legend(double y) {
     const auto& counts = family_.cohorts.front().conditions.front().answers.points().value();
-    const auto* instrument = instrumentOf();
+    const auto* instrument = section_.instrument(family_.family.instrument);
     const int points = counts.highest() - counts.lowest() + 1;
     const double box = isNarrow_ ? width_ / points : 34.0;
     double x = labels_;
@@ -165,13 +165,6 @@ class LikertPainter {
                   : QRectF(x + 12, y + 3, width_ - x - 12, 20),
         (isNarrow_ ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
         QString::fromStdString(instrument->scale->highLabel.in(section_.words.language())));
-  }
-
-  const questionnaires::Instrument* instrumentOf() const {
-    for (const auto& instrument : section_.instruments) {
-      if (instrument.id == family_.family.instrument) return &instrument;
-    }
-    return nullptr;
   }
 
   QPainter& painter_;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "study/model/data_table.h"
-#include "study/report/tables/answer.h"
+#include "study/report/answer.h"
 #include "study/results/study_plan.h"
 #include "study/words/words.h"
 

@@ -360,9 +360,8 @@ class TablesWriter {
          number("Smallest"),
          number("Largest")});
     for (const auto& one : section_.results.answers.items) {
-      const auto instrument =
-          std::ranges::find(section_.instruments, one.instrument, &questionnaires::Instrument::id);
-      if (instrument == section_.instruments.end() || one.values.size() < 2) continue;
+      const auto* instrument = section_.instrument(one.instrument);
+      if (instrument == nullptr || one.values.size() < 2) continue;
       const auto* item = instrument->item(one.item);
       table.rows.push_back(
           {item == nullptr ? one.item : questionOf(*item, section_.words.language()),
@@ -417,9 +416,8 @@ class TablesWriter {
          Heading{"SD"},
          number("95 % CI")});
     for (const auto& summary : section_.results.instruments) {
-      const auto instrument = std::ranges::find(
-          section_.instruments, summary.instrument, &questionnaires::Instrument::id);
-      if (instrument == section_.instruments.end()) continue;
+      const auto* instrument = section_.instrument(summary.instrument);
+      if (instrument == nullptr) continue;
       const auto& language = section_.words.language();
       for (const auto& score : summary.scores) {
         if (score.values.empty()) continue;
@@ -469,8 +467,7 @@ class TablesWriter {
 
 Answer answerInWords(const ReportSection& section) {
   const auto& words = section.words;
-  const auto verdict = conclusionOf(section);
-  Answer answer{.finding = verdict.finding, .more = verdict.more};
+  auto answer = conclusionOf(section);
   if (answer.finding.empty()) {
     answer.finding =
         words("Nothing can be compared yet: no completed session has answers to compare.");
@@ -481,20 +478,6 @@ Answer answerInWords(const ReportSection& section) {
               "take each person once."));
   }
   return answer;
-}
-
-std::string originInWords(const ReportSection& section) {
-  switch (section.results.runMode) {
-    case RunMode::Live:
-      return {};
-    case RunMode::Pilot:
-      return section.words("Pilot sessions: not for publication.");
-    case RunMode::Simulated:
-      return section.words(
-          "Simulated: nobody took part. These numbers show what the program does; they say "
-          "nothing about any method.");
-  }
-  return {};
 }
 
 std::vector<DataTable> statisticsTables(const ReportSection& section, Profile profile) {

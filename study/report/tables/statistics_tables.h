@@ -4,16 +4,13 @@
 #include <vector>
 
 #include "study/model/data_table.h"
+#include "study/report/answer.h"
 #include "study/report/report_section.h"
-#include "study/report/tables/answer.h"
 
 namespace study::report {
 
 /// What was found (conclusionOf()), with the caveat of pooled answers.
 Answer answerInWords(const ReportSection& section);
-
-/// What kind of sessions the results are of; empty for live ones.
-std::string originInWords(const ReportSection& section);
 
 /// The results of a study as tables in words, to be shown in a window, copied or saved: for each
 /// family the comparisons of @p profile, each with what it says in words or why it was not tested,
