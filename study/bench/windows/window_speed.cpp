@@ -273,6 +273,7 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
   scene::SimulationView view(
       std::move(subject.scene),
       scene::makeRenderer(options.renderer),
+      nullptr,
       scene::SimulationView::Pace::Unbound);
   measured.remark = view.remark().toStdString();
   view.resize(options.size.first, options.size.second);

@@ -37,10 +37,7 @@ QWidget* boneWindow(std::shared_ptr<const haptics::reaming::PackedBone> bone, QW
 
 QWidget* kneeWindow(const protocols::Anatomy* knee, QWidget* parent) {
   auto* view = new scene::SimulationView(
-      std::make_unique<scene::KneeScene>(knee),
-      scene::makeRenderer(),
-      scene::SimulationView::Pace::Display,
-      parent);
+      std::make_unique<scene::KneeScene>(knee), scene::makeRenderer(), parent);
   view->setWindowFlag(Qt::Window);
   view->setAttribute(Qt::WA_DeleteOnClose);
   view->setAttribute(Qt::WA_TransparentForMouseEvents, false);

@@ -160,10 +160,8 @@ void Tour::showEvent(QShowEvent* event) {
 
 QWidget* Tour::makeTrialDemonstration() {
   auto* step = new QWidget(this);
-  auto* picture = new scene::SimulationView(
-      std::make_unique<scene::KneeScene>(),
-      scene::makeRenderer(),
-      scene::SimulationView::Pace::Display);
+  auto* picture =
+      new scene::SimulationView(std::make_unique<scene::KneeScene>(), scene::makeRenderer());
   picture->setSnapshotSource([this] {
     const auto status = punch_.status();
     return scene::TrialSnapshot{

@@ -20,7 +20,7 @@ constexpr double kMostOnCard = 2560.0 * 1600.0;
 }  // namespace
 
 SimulationView::SimulationView(
-    std::unique_ptr<SimulatedScene> scene, RendererWithRemark graphics, Pace pace, QWidget* parent)
+    std::unique_ptr<SimulatedScene> scene, RendererWithRemark graphics, QWidget* parent, Pace pace)
     : QWidget(parent), scene_(std::move(scene)), graphics_(std::move(graphics)), pace_(pace) {
   setAttribute(Qt::WA_TransparentForMouseEvents);  // the page under it handles the mouse
   setAttribute(Qt::WA_OpaquePaintEvent);

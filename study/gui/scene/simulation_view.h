@@ -29,8 +29,8 @@ class SimulationView final : public QWidget {
   SimulationView(
       std::unique_ptr<SimulatedScene> scene,
       RendererWithRemark graphics,
-      Pace pace = Pace::Display,
-      QWidget* parent = nullptr);
+      QWidget* parent = nullptr,
+      Pace pace = Pace::Display);
 
   /// Sets the function that returns the current state; called before each picture.
   void setSnapshotSource(std::function<TrialSnapshot()> source) {

@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "study/gui/scene/hip_scene.h"
+#include "study/gui/scene/simulation_view.h"
 #include "study/session/trial_setup.h"
 
 namespace study::gui {
@@ -140,6 +142,14 @@ void SessionController::watchTrial() {
   } else {
     emit trialChanged();
   }
+}
+
+std::optional<ViewReport> SessionController::viewReport() const {
+  return view_.isNull() ? std::nullopt : std::optional(view_->report());
+}
+
+scene::HipScene* SessionController::visibleHipScene() const {
+  return view_.isNull() ? nullptr : dynamic_cast<scene::HipScene*>(&view_->scene());
 }
 
 void SessionController::finishTrial() {

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include <QDateTime>
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <QTimer>
 
@@ -20,7 +20,8 @@ namespace study::gui {
 
 namespace scene {
 class HipScene;
-}
+class SimulationView;
+}  // namespace scene
 
 /// The link between one session and the windows. It passes user actions to the session, runs its
 /// trials, and emits signals on changes. What is allowed is decided by the session.
@@ -44,20 +45,12 @@ class SessionController final : public QObject {
   const haptics::engine::MeshView* mesh() const;
   /// The changes of the bone; nullptr if there are none or the trial is not visualised.
   haptics::engine::BoneView* bone() const;
-  /// Sets the function that returns the frame statistics at the end of a trial; empty: the trial is
-  /// not visualised.
-  void setViewReportSource(std::function<std::optional<ViewReport>()> report) {
-    viewReportSource_ = std::move(report);
-  }
+  /// Sets the view of the trial; null: the trial is not visualised.
+  void setView(QPointer<scene::SimulationView> view) { view_ = std::move(view); }
   /// The frame statistics of the trial; std::nullopt if it is not visualised.
-  std::optional<ViewReport> viewReport() const {
-    return viewReportSource_ ? viewReportSource_() : std::nullopt;
-  }
-  /// Sets the function that returns the bone shown to the participant; empty: no bone is shown.
-  void setHipSceneSource(std::function<scene::HipScene*()> bone) {
-    hipSceneSource_ = std::move(bone);
-  }
-  scene::HipScene* visibleHipScene() const { return hipSceneSource_ ? hipSceneSource_() : nullptr; }
+  std::optional<ViewReport> viewReport() const;
+  /// The bone shown to the participant; nullptr if no bone is shown.
+  scene::HipScene* visibleHipScene() const;
   /// Takes the next sample for a plot.
   /// @return false if there is no further sample.
   bool nextToPlot(haptics::engine::TickSample& sample) {
@@ -145,8 +138,7 @@ class SessionController final : public QObject {
   std::optional<storage::TraceStore> traces_;
   std::unique_ptr<Trial> trial_;
   std::unique_ptr<LiveTrial> liveTrial_;  // declared after the trial, so that it is destroyed first
-  std::function<std::optional<ViewReport>()> viewReportSource_;
-  std::function<scene::HipScene*()> hipSceneSource_;
+  QPointer<scene::SimulationView> view_;
   QTimer watch_;
   bool isReamerOn_ = true;  ///< of the running trial, by toggleReamer()
   bool isAllSaved_ = true;  ///< of the answers received since the last savePendingAnswers()

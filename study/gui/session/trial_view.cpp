@@ -52,24 +52,16 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
   auto* view = new SimulationView(
       simulatedSceneOf(deviceFor(session).kind->view, spec, condition->knee.get()),
       scene::makeRenderer(),
-      SimulationView::Pace::Display,
       &place);
   place.layout()->addWidget(view);
   view->setSnapshotSource([&controller] { return snapshotOf(controller); });
-  controller.setViewReportSource([seen = QPointer(view)]() -> std::optional<ViewReport> {
-    if (seen.isNull()) return std::nullopt;
-    return seen->report();
-  });
-  controller.setHipSceneSource([seen = QPointer(view)]() -> scene::HipScene* {
-    return seen.isNull() ? nullptr : dynamic_cast<scene::HipScene*>(&seen->scene());
-  });
+  controller.setView(view);
 }
 
 }  // namespace
 
 QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
-  controller.setViewReportSource({});
-  controller.setHipSceneSource({});
+  controller.setView({});
   const auto spec = sceneFor(controller.session());
   const bool isVisualised =
       spec.isVisualised && deviceFor(controller.session()).kind->view != View::None;
