@@ -40,7 +40,6 @@ FindingsDialog::FindingsDialog(
   close->setDefault(true);
   auto* again = new QPushButton(tr("Check again"), this);
   again->setObjectName(QStringLiteral("check-again"));
-  again->setVisible(static_cast<bool>(checkAgain));
   start_->setVisible(isQuestion);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(start_);

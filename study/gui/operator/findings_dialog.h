@@ -12,13 +12,13 @@
 
 namespace study::gui {
 
-/// Shows the findings of a check before a session, for devices and texts: the worst first, each
-/// with what to do.
+/// Shows the findings of a check of the devices before a session: the worst first, each with what
+/// to do.
 class FindingsDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  /// The findings about one device, or about the texts.
+  /// The findings about one device.
   struct PartFindings {
     std::string part;
     std::vector<haptics::devices::CheckResult> results;
@@ -27,7 +27,7 @@ class FindingsDialog final : public QDialog {
   /// Whether the dialog only shows the findings or also asks whether to begin despite failures.
   enum class Question { Nothing, StartDespiteFailures };
 
-  /// Called by the button *Check again*; empty: there is no such button.
+  /// Called by the button *Check again*.
   using CheckAgain = std::function<std::vector<PartFindings>()>;
 
   FindingsDialog(
