@@ -15,6 +15,21 @@ haptics::engine::SceneSpec sceneFor(const Session& session) {
   return scene;
 }
 
+void moveHand(const Session& session, PointerHands& hands, double share) {
+  if (session.isOver() || session.step().kind != StepKind::Trial) return;
+  hands.moveTo(deviceFor(session), share);
+}
+
+haptics::engine::SafetyLimits limitsOf(const protocols::DeviceRequirement& need) {
+  return {
+      .maxForce = need.maxForce,
+      .maxRate = need.maxForceRate,
+      .maxTorque = need.maxTorque,
+      .maxTorqueRate = need.maxTorqueRate,
+      .maxVelocity = need.maxVelocity,
+      .isPassivityControlled = need.isPassivityControlled};
+}
+
 Trial::Setup setupFor(const Session& session, storage::TraceStore& traces) {
   using Sealing = storage::TraceStore::Sealing;
   const auto& need = deviceFor(session);
@@ -22,13 +37,7 @@ Trial::Setup setupFor(const Session& session, storage::TraceStore& traces) {
       session.runMode() == RunMode::Simulated ? Sealing::Never : Sealing::IfThereIsAKey;
   return {
       .scene = sceneFor(session),
-      .limits =
-          {.maxForce = need.maxForce,
-           .maxRate = need.maxForceRate,
-           .maxTorque = need.maxTorque,
-           .maxTorqueRate = need.maxTorqueRate,
-           .maxVelocity = need.maxVelocity,
-           .isPassivityControlled = need.isPassivityControlled},
+      .limits = limitsOf(need),
       .storeChunk = [&traces, visit = session.visit(), sealing](int number, const auto& samples) {
         traces.add(visit, number, samples, sealing);
       }};

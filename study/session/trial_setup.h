@@ -15,6 +15,12 @@ const protocols::DeviceRequirement& deviceFor(const Session& session);
 /// The scene that the present trial renders and shows.
 haptics::engine::SceneSpec sceneFor(const Session& session);
 
+/// Moves the pointer's hand on the device of the present trial; does nothing in other steps.
+void moveHand(const Session& session, PointerHands& hands, double share);
+
+/// The limits that a protocol sets for a device.
+haptics::engine::SafetyLimits limitsOf(const protocols::DeviceRequirement& need);
+
 /// The setup of the present trial. Its samples are stored in @p traces, which must outlive the
 /// trial.
 Trial::Setup setupFor(const Session& session, storage::TraceStore& traces);

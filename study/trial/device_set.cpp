@@ -78,13 +78,20 @@ std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
   return std::make_unique<SimulatedHand>(person);
 }
 
-std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(
-    const protocols::DeviceRequirement& need) {
-  return std::make_unique<haptics::devices::PointerHand>(need.kind->grip);
-}
-
 double pointerReachFor(const protocols::DeviceRequirement& need) noexcept {
   return need.kind->hand.typicalReach;
+}
+
+std::unique_ptr<haptics::devices::Hand> PointerHands::make(
+    const protocols::DeviceRequirement& need) {
+  auto hand = std::make_unique<haptics::devices::PointerHand>(need.kind->grip);
+  hands_[need.id] = hand.get();
+  return hand;
+}
+
+void PointerHands::moveTo(const protocols::DeviceRequirement& need, double share) {
+  const auto hand = hands_.find(need.id);
+  if (hand != hands_.end()) hand->second->moveTo(share * pointerReachFor(need));
 }
 
 }  // namespace study

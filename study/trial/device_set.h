@@ -75,11 +75,21 @@ std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
     std::uint64_t slot,
     double mostFeed = std::numeric_limits<double>::infinity());
 
-/// A hand on a simulated instrument that follows the mouse pointer.
-std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(
-    const protocols::DeviceRequirement& need);
-
-/// The travel at which pointerHandFor() has closed the instrument fully [device's travel unit].
+/// The travel at which a PointerHands' hand has closed the instrument fully [device's travel unit].
 double pointerReachFor(const protocols::DeviceRequirement& need) noexcept;
+
+/// The hands on simulated instruments that follow the mouse pointer. The instruments own them: a
+/// hand is moved only while its instrument is open.
+class PointerHands {
+ public:
+  /// A hand for SimulatedDeviceSet.
+  std::unique_ptr<haptics::devices::Hand> make(const protocols::DeviceRequirement& need);
+  /// Moves the hand on that device; does nothing if none was made for it.
+  /// @param share  from 0 (open) to 1 (closed).
+  void moveTo(const protocols::DeviceRequirement& need, double share);
+
+ private:
+  std::map<std::string, haptics::devices::PointerHand*> hands_;  ///< by the device's id
+};
 
 }  // namespace study

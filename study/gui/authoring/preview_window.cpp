@@ -1,6 +1,5 @@
 #include "study/gui/authoring/preview_window.h"
 
-#include <map>
 #include <utility>
 
 #include <QCoreApplication>
@@ -45,20 +44,18 @@ SessionId sessionAt(const std::string& folder, const std::string& language, int 
 
 /// A session with its devices and its window. Each member uses those before it.
 struct PreviewWindow::PreviewSession {
-  PreviewSession(const std::string& folder, SessionId id, std::function<void(double)> moveHand)
+  PreviewSession(const std::string& folder, SessionId id)
       : study(Study::open(folder)),
-        devices([this](const protocols::DeviceRequirement& need) {
-          auto hand = pointerHandFor(need);
-          hands[need.id] = hand.get();
-          return hand;
-        }),
+        devices([this](const auto& need) { return hands.make(need); }),
         controller(study, devices, Session::resume(study, id)),
-        window(std::make_unique<ParticipantWindow>(controller, pin, std::move(moveHand))) {}
+        window(std::make_unique<ParticipantWindow>(controller, pin, [this](double share) {
+          moveHand(controller.session(), hands, share);
+        })) {}
 
   ~PreviewSession() { window->allowClosing(); }
 
   Study study;
-  std::map<std::string, haptics::devices::PointerHand*> hands;
+  PointerHands hands;
   SimulatedDeviceSet devices;
   SessionController controller;
   OperatorPin pin;
@@ -133,10 +130,7 @@ PreviewWindow::~PreviewWindow() {
 void PreviewWindow::makeBar(QVBoxLayout& layout) {
   languages_->setAccessibleName(tr("Language"));
   languages_->setObjectName(QStringLiteral("language"));
-  for (const auto& language : loaded_.protocol.languages) {
-    const QString tag = QString::fromStdString(language);
-    languages_->addItem(nativeName(tag), tag);
-  }
+  addLanguages(*languages_, loaded_.protocol.languages);
   sizes_->setAccessibleName(tr("Size of the participant's screen"));
   sizes_->setObjectName(QStringLiteral("size"));
   sizes_->addItem(tr("As large as this window"), QSize());
@@ -208,11 +202,8 @@ void PreviewWindow::goTo(int step) {
   }
   previewSession_.reset();
   const auto id = sessionAt(folder, language(), step);
-  translator_.setLanguage(language());
-  QCoreApplication::removeTranslator(&translator_);
-  QCoreApplication::installTranslator(&translator_);
-  previewSession_ =
-      std::make_unique<PreviewSession>(folder, id, [this](double share) { moveHand(share); });
+  translator_.speak(language());
+  previewSession_ = std::make_unique<PreviewSession>(folder, id);
   showSession();
 }
 
@@ -247,9 +238,7 @@ void PreviewWindow::chooseLanguage() {
     attempt(this, MessageTopic::PreviewNotShown, [&] { goTo(steps_->currentRow()); });
     return;
   }
-  translator_.setLanguage(language());
-  QCoreApplication::removeTranslator(&translator_);
-  QCoreApplication::installTranslator(&translator_);
+  translator_.speak(language());
   previewSession_->controller.chooseLanguage(languages_->currentData().toString());
 }
 
@@ -262,14 +251,6 @@ void PreviewWindow::chooseSize() {
   } else {
     page().setFixedSize(size);
   }
-}
-
-void PreviewWindow::moveHand(double share) {
-  const auto& session = previewSession_->controller.session();
-  if (session.isOver() || session.step().kind != StepKind::Trial) return;
-  const auto& need = deviceFor(session);
-  const auto hand = previewSession_->hands.find(need.id);
-  if (hand != previewSession_->hands.end()) hand->second->moveTo(share * pointerReachFor(need));
 }
 
 const SessionController& PreviewWindow::controller() const {

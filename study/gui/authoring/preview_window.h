@@ -48,7 +48,6 @@ class PreviewWindow final : public QMainWindow {
   void updateStep();
   void chooseLanguage();
   void chooseSize();
-  void moveHand(double share);
   std::string language() const;
 
   protocols::LoadedProtocol loaded_;

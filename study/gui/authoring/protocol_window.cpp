@@ -25,6 +25,7 @@
 #include "study/gui/authoring/timeline_page.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/fitting_scroll.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/theme.h"
@@ -87,11 +88,7 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   layout->addLayout(makeButtons());
   constexpr int kLeastHeight = 520;  // [px]; a lower window is scrolled
   inside->setMinimumHeight(kLeastHeight);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidget(inside);
-  setCentralWidget(scroll);
+  setCentralWidget(scrolled(inside, this));
   resize(1240, 820);
   connectAll();
   showSource(source);

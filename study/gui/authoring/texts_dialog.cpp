@@ -6,12 +6,12 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/participant/participant_window.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/fitting_scroll.h"
 #include "study/gui/widgets/labels.h"
 #include "study/session/session_length.h"
 
@@ -56,10 +56,6 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
   form->setRowVisible(reason_, reason == Reason::Needed);
   auto* inside = new QWidget(this);
   inside->setLayout(form);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setWidget(inside);
-  scroll->setFocusPolicy(Qt::NoFocus);
   auto* buttons = new QDialogButtonBox(this);
   saveButton_->setProperty("role", QStringLiteral("main"));
   saveButton_->setObjectName(QStringLiteral("save"));
@@ -79,7 +75,7 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
   line->addWidget(languages_, 1);
   layout->addWidget(chosen);
   chosen->setVisible(languages_->count() > 1);
-  layout->addWidget(scroll, 1);
+  layout->addWidget(scrolled(inside, this), 1);
   layout->addWidget(progress_);
   layout->addWidget(buttons);
   resize(820, 760);

@@ -10,7 +10,6 @@
 #include <QImage>
 #include <QPainter>
 #include <QScreen>
-#include <QScrollArea>
 #include <QShowEvent>
 #include <QVBoxLayout>
 
@@ -24,6 +23,7 @@
 #include "study/gui/scene/simulation_view.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/fitting_scroll.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/mnemonics.h"
 #include "study/gui/widgets/read_only_table.h"
@@ -99,8 +99,7 @@ Tour::Tour(QWidget* parent)
       back_(new QPushButton(tr("Back"), this)),
       next_(new QPushButton(this)) {
   setWindowTitle(tr("Palpate in three steps"));
-  translator_.setLanguage(deskLanguage());
-  QCoreApplication::installTranslator(&translator_);
+  translator_.speak(deskLanguage());
   next_->setObjectName(QStringLiteral("tour-next"));
   for (auto* button : {back_, next_}) button->setAutoDefault(false);
   steps_->addWidget(makeTrialDemonstration());
@@ -117,11 +116,7 @@ Tour::Tour(QWidget* parent)
   layout->setContentsMargins(28, 22, 28, 22);
   layout->addWidget(stepCount_);
   layout->addWidget(heading_);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidget(steps_);
-  layout->addWidget(scroll, 1);
+  layout->addWidget(scrolled(steps_, this), 1);
   layout->addLayout(buttons);
   connect(skip, &QPushButton::clicked, this, &QDialog::reject);
   connect(back_, &QPushButton::clicked, this, [this] { goTo(step() - 1); });

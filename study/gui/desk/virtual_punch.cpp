@@ -2,18 +2,14 @@
 
 #include <utility>
 
+#include "study/session/trial_setup.h"
+
 namespace study::gui {
 
 VirtualPunch::VirtualPunch(protocols::DeviceRequirement need, haptics::engine::SceneSpec scene)
     : need_(std::move(need)),
       scene_(std::move(scene)),
-      deviceSet_(
-          [this](const protocols::DeviceRequirement& wanted)
-              -> std::unique_ptr<haptics::devices::Hand> {
-            auto hand = pointerHandFor(wanted);
-            hand_ = hand.get();
-            return hand;
-          }) {}
+      deviceSet_([this](const auto& wanted) { return hands_.make(wanted); }) {}
 
 VirtualPunch::~VirtualPunch() = default;
 
@@ -23,21 +19,11 @@ void VirtualPunch::begin() {
       deviceSet_.device(need_),
       Trial::Setup{
           .scene = scene_,
-          .limits =
-              {.maxForce = need_.maxForce,
-               .maxRate = need_.maxForceRate,
-               .maxTorque = need_.maxTorque,
-               .maxTorqueRate = need_.maxTorqueRate,
-               .maxVelocity = need_.maxVelocity,
-               .isPassivityControlled = need_.isPassivityControlled},
+          .limits = limitsOf(need_),
           .storeChunk = [this](int, const std::vector<storage::TraceSample>& chunk) {
             samples_.insert(samples_.end(), chunk.begin(), chunk.end());
           }});
   liveTrial_ = std::make_unique<LiveTrial>(*trial_);
-}
-
-void VirtualPunch::moveTo(double share) {
-  if (hand_ != nullptr) hand_->moveTo(share * pointerReachFor(need_));
 }
 
 TrialRecord VirtualPunch::finish() {

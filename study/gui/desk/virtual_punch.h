@@ -23,7 +23,7 @@ class VirtualPunch {
   bool isRunning() const noexcept { return liveTrial_ != nullptr; }
   void begin();
   /// Sets the wanted hand position, from 0 (open) to 1 (closed).
-  void moveTo(double share);
+  void moveTo(double share) { hands_.moveTo(need_, share); }
   LiveTrial::Status status() const {
     return liveTrial_ ? liveTrial_->status() : LiveTrial::Status{};
   }
@@ -38,7 +38,7 @@ class VirtualPunch {
  private:
   protocols::DeviceRequirement need_;
   haptics::engine::SceneSpec scene_;
-  haptics::devices::PointerHand* hand_ = nullptr;
+  PointerHands hands_;
   SimulatedDeviceSet deviceSet_;
   std::vector<storage::TraceSample> samples_;
   std::unique_ptr<Trial> trial_;

@@ -11,7 +11,6 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QScreen>
-#include <QScrollArea>
 #include <QScrollBar>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -35,6 +34,7 @@
 #include "study/gui/desk/tour.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/fitting_scroll.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/message_box.h"
 #include "study/gui/widgets/studio_settings.h"
@@ -87,11 +87,7 @@ void HomeWindow::makeContents() {
   columns_->addWidget(listColumn_, 2);
   columns_->addWidget(panel_, 3);
   columns_->addWidget(welcome_, 1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidget(inside);
-  setCentralWidget(scroll);
+  setCentralWidget(scrolled(inside, this));
   menuBar()->clear();
   makeMenus();
   connectPanel();

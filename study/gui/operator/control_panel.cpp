@@ -1,10 +1,10 @@
 #include "study/gui/operator/control_panel.h"
 
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "study/gui/session/session_controller.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/fitting_scroll.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/message_box.h"
 
@@ -59,11 +59,8 @@ ControlPanel::ControlPanel(QWidget* parent)
   layout->addWidget(participantLabel_);
   layout->addWidget(cohort_);
   layout->addWidget(stop_);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
+  auto* scroll = scrolled(makeButtons(), this);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(makeButtons());
-  scroll->setFocusPolicy(Qt::NoFocus);
   layout->addWidget(scroll, 1);
   connectButtons();
   refresh();

@@ -9,7 +9,6 @@
 #include <QKeyEvent>
 #include <QMenuBar>
 #include <QScreen>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "study/gui/operator/consent_copy_dialog.h"
@@ -47,14 +46,7 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
     : QMainWindow(parent),
       study_(study),
       deviceSet_(deviceSetFor(
-          deviceFile,
-          study.folder(),
-          [this](
-              const protocols::DeviceRequirement& need) -> std::unique_ptr<haptics::devices::Hand> {
-            auto hand = pointerHandFor(need);
-            hands_[need.id] = hand.get();
-            return hand;
-          })),
+          deviceFile, study.folder(), [this](const auto& need) { return hands_.make(need); })),
       push_(study, [this] { return controller_ && controller_->isTrialRunning(); }) {
   const auto title = QString::fromStdString(study.protocol().protocol.study.title);
   setWindowTitle(tr("Palpate — %1").arg(title));
@@ -143,16 +135,10 @@ QWidget* OperatorWindow::makeHead() {
 
 QWidget* OperatorWindow::makeSession() {
   auto* page = new QWidget(this);
-  columns_ = new QHBoxLayout(page);
-  columns_->setContentsMargins(0, 0, 0, 0);
-  columns_->setSpacing(20);
+  columns_ = withoutMargins<QHBoxLayout>(page, 20);
   columns_->addWidget(controls_);
   sessionPages_->addWidget(trial_);
-  auto* scroll = new QScrollArea(page);
-  scroll->setWidgetResizable(true);
-  scroll->setWidget(sessionPages_);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  columns_->addWidget(scroll, 1);
+  columns_->addWidget(scrolled(sessionPages_, page), 1);
   return page;
 }
 
@@ -232,8 +218,9 @@ void OperatorWindow::begin(Session session) {
   controller_ = std::make_unique<SessionController>(study_, *deviceSet_, std::move(session));
   followSession();
   useSessionLanguage();
-  participant_ = std::make_unique<ParticipantWindow>(
-      *controller_, pin_, [this](double share) { moveHand(share); });
+  participant_ = std::make_unique<ParticipantWindow>(*controller_, pin_, [this](double share) {
+    moveHand(controller_->session(), hands_, share);
+  });
   connect(
       &participant_->lock(),
       &ScreenLock::opened,
@@ -318,17 +305,7 @@ void OperatorWindow::tile() {
 }
 
 void OperatorWindow::useSessionLanguage() {
-  QCoreApplication::removeTranslator(&translator_);
-  translator_.setLanguage(controller_->session().language());
-  QCoreApplication::installTranslator(&translator_);
-}
-
-void OperatorWindow::moveHand(double share) {
-  const auto& session = controller_->session();
-  if (session.isOver() || session.step().kind != StepKind::Trial) return;
-  const auto& need = deviceFor(session);
-  const auto hand = hands_.find(need.id);
-  if (hand != hands_.end()) hand->second->moveTo(share * pointerReachFor(need));
+  translator_.speak(controller_->session().language());
 }
 
 void OperatorWindow::updateAll() {

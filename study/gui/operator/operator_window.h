@@ -84,11 +84,10 @@ class OperatorWindow final : public QMainWindow {
   void removeInterview();
   void endSession();
   void updateAll();
-  void moveHand(double share);
   void useSessionLanguage();
 
   Study& study_;
-  std::map<std::string, haptics::devices::PointerHand*> hands_;  ///< of the open devices, by id
+  PointerHands hands_;
   std::unique_ptr<DeviceSet> deviceSet_;
   std::unique_ptr<SessionController> controller_;
   std::unique_ptr<ParticipantWindow> participant_;

@@ -124,10 +124,7 @@ QWidget* SessionsPage::makeEnrolment() {
   }
   mode_->addItem(tr("live"), static_cast<int>(RunMode::Live));
   mode_->addItem(tr("pilot (does not count)"), static_cast<int>(RunMode::Pilot));
-  for (const auto& language : protocol.languages) {
-    const QString tag = QString::fromStdString(language);
-    language_->addItem(nativeName(tag), tag);
-  }
+  addLanguages(*language_, protocol.languages);
   auto* card = new QFrame(this);
   card->setProperty("role", QStringLiteral("card"));
   constexpr int kCardWidth = 440;  // [px]

@@ -56,10 +56,7 @@ ParticipantWindow::ParticipantWindow(
   disableMnemonics(*this);
   progress_->setTextVisible(false);
   progress_->setFocusPolicy(Qt::NoFocus);
-  for (const auto& language : controller.session().protocol().protocol.languages) {
-    const QString tag = QString::fromStdString(language);
-    languages_->addItem(nativeName(tag), tag);
-  }
+  addLanguages(*languages_, controller.session().protocol().protocol.languages);
   const QString present = QString::fromStdString(controller.session().language());
   languages_->setCurrentIndex(languages_->findData(present));
   next_->setProperty("role", QStringLiteral("next"));

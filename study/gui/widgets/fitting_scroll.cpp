@@ -25,4 +25,12 @@ bool FittingScroll::eventFilter(QObject* watched, QEvent* event) {
   return QScrollArea::eventFilter(watched, event);
 }
 
+QScrollArea* scrolled(QWidget* inside, QWidget* parent) {
+  auto* scroll = new QScrollArea(parent);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(inside);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  return scroll;
+}
+
 }  // namespace study::gui

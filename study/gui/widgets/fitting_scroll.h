@@ -19,4 +19,8 @@ class FittingScroll final : public QScrollArea {
   void fit();
 };
 
+/// Scrolls @p inside where the window is too small for it. It takes no focus itself: it scrolls to
+/// what has the focus.
+QScrollArea* scrolled(QWidget* inside, QWidget* parent);
+
 }  // namespace study::gui

@@ -185,6 +185,13 @@ QString nativeName(const QString& language) {
   return name.isEmpty() ? language : name.left(1).toUpper() + name.mid(1);
 }
 
+void addLanguages(QComboBox& box, const std::vector<std::string>& tags) {
+  for (const auto& language : tags) {
+    const auto tag = QString::fromStdString(language);
+    box.addItem(nativeName(tag), tag);
+  }
+}
+
 QString cohortTitle(const protocols::Protocol& protocol, const std::string& id) {
   const auto* cohort = protocol.cohort(id);
   return QString::fromStdString(cohort == nullptr ? id : cohort->title.in(deskLanguage()));

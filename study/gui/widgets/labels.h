@@ -2,7 +2,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include <QComboBox>
 #include <QLabel>
 #include <QString>
 #include <QWidget>
@@ -29,6 +31,8 @@ QString describe(const Step& step, const protocols::Labels& labels);
 QString describeUnfinished(const UnfinishedSession& session);
 /// The name of a language in that language.
 QString nativeName(const QString& language);
+/// Adds languages to choose from, each by its native name and with its tag as data.
+void addLanguages(QComboBox& box, const std::vector<std::string>& tags);
 /// The title of a cohort in the language of the desk; its id if only an earlier version of the
 /// protocol has the cohort.
 QString cohortTitle(const protocols::Protocol& protocol, const std::string& id);
