@@ -68,7 +68,6 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
       folder_(study.folder),
       participant_(new QComboBox(this)),
       level_(new QComboBox(this)),
-      reason_(new QLineEdit(this)),
       code_(new QLineEdit(this)),
       copy_(new PathField(PathField::Kind::ExistingFolder, tr("Backup or export"), {}, this)),
       certificate_(new PathField(
@@ -79,22 +78,14 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
       language_(new QComboBox(this)),
       reseal_(new QCheckBox(tr("Seal the audit trail of an older release first"), this)) {
   participant_->setObjectName(QStringLiteral("participant"));
-  participant_->setAccessibleName(tr("Participant"));
   level_->setAccessibleName(tr("What is erased"));
   level_->addItem(tr("Names, answers and recordings"), QStringLiteral("all"));
   level_->addItem(tr("Answers and recordings only"), QStringLiteral("answers"));
   level_->addItem(tr("Names and signature only"), QStringLiteral("identity"));
-  reason_->setObjectName(QStringLiteral("reason"));
-  reason_->setAccessibleName(tr("Reason"));
-  reason_->setPlaceholderText(tr("without names: it stays in the audit trail"));
   code_->setObjectName(QStringLiteral("code"));
   code_->setAccessibleName(tr("Type the code"));
   language_->setObjectName(QStringLiteral("language"));
-  language_->setAccessibleName(tr("Language of the certificate"));
-  for (const auto& language : words::languages()) {
-    const QString tag = QString::fromStdString(language);
-    language_->addItem(nativeName(tag), tag);
-  }
+  addLanguages(*language_, words::languages());
   runButton().setProperty("role", QStringLiteral("danger"));
   reseal_->setObjectName(QStringLiteral("reseal"));
   reseal_->setToolTip(tr(
@@ -104,15 +95,14 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
   copy_->setHint(tr("optional"));
   form().addRow(tr("Participant"), participant_);
   form().addRow(tr("What"), level_);
-  form().addRow(tr("Reason"), reason_);
+  addReason(
+      tr("Reason"), [this] { updateButton(); }, tr("without names: it stays in the audit trail"));
   form().addRow(tr("Also from a backup or export"), copy_);
   form().addRow(tr("Certificate"), certificate_);
   form().addRow(tr("Language of the certificate"), language_);
   form().addRow(QString(), reseal_);
   form().addRow(tr("Type the code to confirm"), code_);
-  for (auto* line : {reason_, code_}) {
-    connect(line, &QLineEdit::textChanged, this, &EraseDialog::updateButton);
-  }
+  connect(code_, &QLineEdit::textChanged, this, &EraseDialog::updateButton);
   connect(participant_, &QComboBox::currentIndexChanged, this, &EraseDialog::updateButton);
   fillIn();
 }
@@ -138,10 +128,10 @@ void EraseDialog::fillIn() {
 void EraseDialog::updateButton() {
   const auto code = participant_->currentData().toString();
   setDisabledReason(
-      code.isEmpty()                        ? tr("No participant can be erased.")
-      : reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
-      : code_->text().trimmed() != code     ? tr("Type %1 to confirm.").arg(code)
-                                            : QString());
+      code.isEmpty()                    ? tr("No participant can be erased.")
+      : reason().empty()                ? tr("Give a reason.")
+      : code_->text().trimmed() != code ? tr("Type %1 to confirm.").arg(code)
+                                        : QString());
 }
 
 void EraseDialog::work() {
@@ -152,12 +142,12 @@ void EraseDialog::work() {
     return showOutcome(
         Outcome::Bad,
         tr("Nothing was erased: the certificate cannot be saved."),
-        QString::fromUtf8(error.what()));
+        {{QString::fromUtf8(error.what())}});
   }
   const ErasureRequest request{
       .participant = participant_->currentData().toString().toStdString(),
       .level = storage::erasureLevelNamed(level_->currentData().toString().toStdString()).value(),
-      .reason = reason_->text().trimmed().toStdString(),
+      .reason = reason(),
       .resealsTrail = reseal_->isChecked()};
   const auto copy = copy_->path().toStdString();
   const auto words = words::wordsIn(language_->currentData().toString().toStdString());
@@ -184,11 +174,11 @@ void EraseDialog::work() {
     showOutcome(
         Outcome::Warning,
         tr("%1 is erased, but the certificate was not saved.").arg(code),
-        QString::fromStdString(whyNotSaved) + QStringLiteral("\n\n") + said);
+        {{QString::fromStdString(whyNotSaved) + QStringLiteral("\n\n") + said}});
   } else if (!certificate.isClean()) {
-    showOutcome(Outcome::Warning, tr("%1 is erased, but some data are left.").arg(code), said);
+    showOutcome(Outcome::Warning, tr("%1 is erased, but some data are left.").arg(code), {{said}});
   } else if (path.isEmpty()) {
-    showOutcome(Outcome::Good, tr("%1 is erased.").arg(code), said);
+    showOutcome(Outcome::Good, tr("%1 is erased.").arg(code), {{said}});
   } else {
     rememberDocument(QString::fromStdString(folder_), path);
     showWrittenFile(path, tr("%1 is erased. Certificate saved: %2").arg(code, path), {{said}});

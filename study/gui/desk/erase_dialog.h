@@ -35,7 +35,6 @@ class EraseDialog final : public WorkDialog {
   std::string folder_;
   QComboBox* participant_;
   QComboBox* level_;
-  QLineEdit* reason_;
   QLineEdit* code_;
   PathField* copy_;
   PathField* certificate_;

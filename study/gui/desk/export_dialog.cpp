@@ -79,7 +79,6 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
       mode_(makeRunModeBox(study, this)),
       audience_(new QComboBox(this)),
       smallestGroup_(new QSpinBox(this)),
-      reason_(new QLineEdit(this)),
       exactDates_(new QCheckBox(tr("Exact dates, times and ages (otherwise in bands)"), this)),
       writtenTexts_(new QCheckBox(tr("Texts that participants and operators wrote"), this)),
       traces_(new QCheckBox(tr("Recordings: what was felt, sample by sample"), this)),
@@ -98,22 +97,17 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   add(audience_, tr("Analysts, blinded: codes instead of conditions"), Audience::Blinded);
   add(audience_, tr("Analysts, unblinded: is noted in the audit trail"), Audience::Unblinded);
   add(audience_, tr("The public: groups in which nobody stands out"), Audience::Public);
-  format_->setAccessibleName(tr("Format"));
-  audience_->setAccessibleName(tr("For whom"));
   audience_->setObjectName(QStringLiteral("audience"));
-  smallestGroup_->setAccessibleName(tr("Smallest group of people"));
   smallestGroup_->setObjectName(QStringLiteral("smallest-class"));
   smallestGroup_->setRange(static_cast<int>(kSmallestPublicClassSize), kLargestGroupLimit);
   exactDates_->setObjectName(QStringLiteral("exact"));
   writtenTexts_->setObjectName(QStringLiteral("texts"));
-  reason_->setAccessibleName(tr("Reason for unblinding"));
-  reason_->setObjectName(QStringLiteral("reason"));
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("data")));
   earlierExport_->startIn(folderBeside(folder_));
   earlierExport_->setHint(tr("optional"));
   form().addRow(tr("For whom"), audience_);
   form().addRow(tr("Smallest group of people"), smallestGroup_);
-  form().addRow(tr("Reason for unblinding"), reason_);
+  addReason(tr("Reason for unblinding"), [this] { updateButton(); });
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("Format"), format_);
   form().addRow(tr("Also export"), exactDates_);
@@ -127,7 +121,6 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   connect(smallestGroup_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
   connect(exactDates_, &QCheckBox::toggled, this, &ExportDialog::updateChoices);
   connect(writtenTexts_, &QCheckBox::toggled, this, &ExportDialog::updateChoices);
-  connect(reason_, &QLineEdit::textChanged, this, &ExportDialog::updateButton);
   connect(target_, &PathField::pathChanged, this, &ExportDialog::updateButton);
   updateChoices();
 }
@@ -150,7 +143,7 @@ ExportOptions ExportDialog::options() const {
 void ExportDialog::updateChoices() {
   const auto audience = audienceOf(*audience_);
   form().setRowVisible(smallestGroup_, audience == Audience::Public);
-  form().setRowVisible(reason_, audience == Audience::Unblinded);
+  showReason(audience == Audience::Unblinded);
   form().setRowVisible(exactDates_, audience != Audience::Public);
   form().setRowVisible(writtenTexts_, audience != Audience::Public);
   form().setRowVisible(traces_, audience == Audience::Unblinded);
@@ -165,11 +158,11 @@ void ExportDialog::updateChoices() {
 void ExportDialog::updateButton() {
   const bool needsReason = audienceOf(*audience_) == Audience::Unblinded;
   setDisabledReason(
-      !hasSessions(*mode_)                                 ? noSessionsText()
-      : !isExportPossible_                                 ? tr("These data cannot be exported.")
-      : needsReason && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
-      : target_->path().isEmpty()                          ? tr("Choose a new folder.")
-                                                           : QString());
+      !hasSessions(*mode_)              ? noSessionsText()
+      : !isExportPossible_              ? tr("These data cannot be exported.")
+      : needsReason && reason().empty() ? tr("Give a reason.")
+      : target_->path().isEmpty()       ? tr("Choose a new folder.")
+                                        : QString());
 }
 
 void ExportDialog::showIdentifiability() {
@@ -195,7 +188,7 @@ void ExportDialog::showIdentifiability() {
 void ExportDialog::work() {
   auto how = options();
   const std::string target = target_->path().toStdString();
-  const std::string reason = reason_->text().trimmed().toStdString();
+  const std::string why = reason();
   WrittenExport written;
   std::string what;
   const std::string earlier =
@@ -204,7 +197,7 @@ void ExportDialog::work() {
     if (!earlier.empty()) how.codes = codeSetOf(earlier);
     auto study = openForExport(folder_, how);
     how.progress = progress;
-    written = exportStudy(study, target, how, reason);
+    written = exportStudy(study, target, how, why);
     what = how.publicClassSize ? "for the public" : blindingInWords(study, how);
   };
   const bool isDone =

@@ -4,7 +4,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QLineEdit>
 #include <QSpinBox>
 
 #include "study/export/export.h"
@@ -38,7 +37,6 @@ class ExportDialog final : public WorkDialog {
   QComboBox* mode_;
   QComboBox* audience_;
   QSpinBox* smallestGroup_;
-  QLineEdit* reason_;
   QCheckBox* exactDates_;
   QCheckBox* writtenTexts_;
   QCheckBox* traces_;

@@ -16,7 +16,6 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
           parent),
       folder_(study.folder),
       task_(new QComboBox(this)),
-      reason_(new QLineEdit(this)),
       target_(new PathField(PathField::Kind::NewFile, tr("Key"), tr("Keys (*.txt)"), this)),
       source_(new PathField(PathField::Kind::ExistingFile, tr("Key"), tr("Keys (*.txt)"), this)),
       passphrase_(new QLineEdit(this)),
@@ -27,26 +26,21 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   task_->addItem(tr("Import the key from a file"), static_cast<int>(KeyTask::Take));
   task_->addItem(tr("Put names behind a passphrase"), static_cast<int>(KeyTask::SealNames));
   passphrase_->setObjectName(QStringLiteral("passphrase"));
-  passphrase_->setAccessibleName(tr("Passphrase"));
   passphraseAgain_->setObjectName(QStringLiteral("again"));
-  passphraseAgain_->setAccessibleName(tr("The same again"));
   passphrase_->setPlaceholderText(
       tr("write it down: without it the names can never be read again"));
   for (auto* field : {passphrase_, passphraseAgain_}) {
     field->setEchoMode(QLineEdit::Password);
     connect(field, &QLineEdit::textChanged, this, &KeyDialog::updateChoices);
   }
-  reason_->setObjectName(QStringLiteral("reason"));
-  reason_->setAccessibleName(tr("Reason"));
-  reason_->setPlaceholderText(tr("and who gets the copy: for the audit trail"));
   form().addRow(tr("Action"), task_);
-  form().addRow(tr("Reason"), reason_);
+  addReason(
+      tr("Reason"), [this] { updateChoices(); }, tr("and who gets the copy: for the audit trail"));
   form().addRow(tr("New file"), target_);
   form().addRow(tr("File of the key"), source_);
   form().addRow(tr("Passphrase"), passphrase_);
   form().addRow(tr("The same again"), passphraseAgain_);
   connect(task_, &QComboBox::currentIndexChanged, this, &KeyDialog::updateChoices);
-  connect(reason_, &QLineEdit::textChanged, this, &KeyDialog::updateChoices);
   connect(source_, &PathField::pathChanged, this, &KeyDialog::updateChoices);
   sameDisk_ = addHint(tr("This is the disk of the study: who gets it gets the key as well."));
   setRole(*sameDisk_, "warn");
@@ -79,22 +73,21 @@ void KeyDialog::updateChoices() {
   const bool saves = chosenTask() == KeyTask::Save;
   const bool takes = chosenTask() == KeyTask::Take;
   const bool seals = chosenTask() == KeyTask::SealNames;
-  form().setRowVisible(reason_, !takes);
+  showReason(!takes);
   form().setRowVisible(target_, saves);
   form().setRowVisible(sameDisk_, saves && isOnDiskOf(folder_, target_->path()));
   form().setRowVisible(source_, takes);
   form().setRowVisible(passphrase_, seals);
   form().setRowVisible(passphraseAgain_, seals);
   runButton().setText(saves ? tr("Save") : takes ? tr("Import") : tr("Set"));
-  const bool isReasoned = !reason_->text().trimmed().isEmpty();
   const bool isTypedTwice =
       !passphrase_->text().isEmpty() && passphrase_->text() == passphraseAgain_->text();
   setDisabledReason(
-      takes          ? (source_->path().isEmpty() ? tr("Choose the file.") : QString())
-      : !isReasoned  ? tr("Give a reason.")
-      : saves        ? (target_->path().isEmpty() ? tr("Choose a new file.") : QString())
-      : isTypedTwice ? QString()
-                     : tr("Type the same passphrase twice."));
+      takes              ? (source_->path().isEmpty() ? tr("Choose the file.") : QString())
+      : reason().empty() ? tr("Give a reason.")
+      : saves            ? (target_->path().isEmpty() ? tr("Choose a new file.") : QString())
+      : isTypedTwice     ? QString()
+                         : tr("Type the same passphrase twice."));
   fit();
 }
 
@@ -114,7 +107,7 @@ void KeyDialog::saveKey() {
   const auto target = target_->path();
   const bool isSaved = attempt(this, MessageTopic::KeyNotSaved, [&] {
     auto study = Study::open(folder_);
-    exportKey(study, target.toStdString(), reason_->text().trimmed().toStdString());
+    exportKey(study, target.toStdString(), reason());
   });
   if (!isSaved) return clear();
   showState();
@@ -126,8 +119,7 @@ void KeyDialog::saveKey() {
 void KeyDialog::sealNames() {
   const bool isSealed = attempt(this, MessageTopic::NamesNotSealed, [&] {
     auto study = Study::open(folder_);
-    setPassphraseOfNames(
-        study, passphrase_->text().toStdString(), reason_->text().trimmed().toStdString());
+    setPassphraseOfNames(study, passphrase_->text().toStdString(), reason());
   });
   if (!isSealed) return clear();
   passphrase_->clear();

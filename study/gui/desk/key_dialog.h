@@ -35,7 +35,6 @@ class KeyDialog final : public WorkDialog {
 
   std::string folder_;
   QComboBox* task_;
-  QLineEdit* reason_;
   PathField* target_;
   QLabel* sameDisk_ = nullptr;  ///< warns that the target is on the disk of the study
   PathField* source_;

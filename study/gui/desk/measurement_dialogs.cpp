@@ -75,11 +75,9 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   slope_->setRange(0.01, kMostSlope);
   slope_->setValue(usualSlope);
   slope_->setSuffix(QLatin1Char(' ') + tr("N per travel unit"));
-  slope_->setAccessibleName(tr("Largest slope"));
   slope_->setObjectName(QStringLiteral("slope"));
   cut_->setRange(0, 10'000);
   cut_->setSpecialValueText(tr("the most typical one"));
-  cut_->setAccessibleName(tr("Which cut"));
   recording_->setObjectName(QStringLiteral("recording"));
   columns_->setObjectName(QStringLiteral("columns"));
   target_->setObjectName(QStringLiteral("target"));
@@ -134,7 +132,8 @@ std::optional<RecordingPreview> ImportCutDialog::readPreview() {
       columnsForm_->setVisible(true);
       return readPreview();
     }
-    showOutcome(Outcome::Bad, tr("This recording cannot be read"), QString::fromUtf8(error.what()));
+    showOutcome(
+        Outcome::Bad, tr("This recording cannot be read"), {{QString::fromUtf8(error.what())}});
   }
   return std::nullopt;
 }
@@ -175,7 +174,7 @@ void ImportCutDialog::preview() {
       showOutcome(
           Outcome::Warning,
           tr("No cut can be taken from this recording yet"),
-          QString::fromUtf8(error.what()));
+          {{QString::fromUtf8(error.what())}});
     }
   }
   cutPlot_->setShown(isImportPossible_);
@@ -231,7 +230,6 @@ FitMaterialDialog::FitMaterialDialog(QWidget* parent)
       target_(
           new PathField(PathField::Kind::NewFile, tr("New file"), tr("Materials (*.json)"), this)),
       result_(new ResultView(this)) {
-  title_->setAccessibleName(tr("Title"));
   series_->setObjectName(QStringLiteral("series"));
   target_->setObjectName(QStringLiteral("target"));
   target_->setPath(newFile("my-material", ".json"));
@@ -332,10 +330,8 @@ BuildBoneDialog::BuildBoneDialog(QWidget* parent)
   spheres_->setRange(100, kMostSpheres);
   spheres_->setValue(kUsualSpheres);
   spheres_->setGroupSeparatorShown(true);
-  spheres_->setAccessibleName(tr("Spheres"));
   spheres_->setObjectName(QStringLiteral("spheres"));
   seed_->setRange(1, 1'000'000);
-  seed_->setAccessibleName(tr("Seed"));
   target_->setObjectName(QStringLiteral("target"));
   target_->setPath(newFile("my-bone", ".packing"));
   form().addRow(tr("Spheres"), spheres_);

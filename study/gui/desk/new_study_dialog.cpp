@@ -34,7 +34,6 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
       previewButton_(new QPushButton(tr("Preview…"), this)),
       fillButton_(new QPushButton(tr("Fill in the texts…"), this)),
       copyButton_(new QPushButton(tr("Save as…"), this)) {
-  protocol_->setAccessibleName(tr("Protocol"));
   protocol_->setObjectName(QStringLiteral("protocol"));
   for (const auto& name : protocols::libraryProtocols()) {
     const QString words = QString::fromStdString(name);

@@ -41,8 +41,7 @@ QComboBox* makeRunModeBox(const StudySummary& study, QWidget* parent) {
   auto* choice = new QComboBox(parent);
   choice->setAccessibleName(QObject::tr("Which sessions"));
   for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
-    const auto found = study.sessions.find(mode);
-    const int count = found == study.sessions.end() ? 0 : found->second;
+    const int count = countIn(study.sessions, mode);
     const auto name = nameOf(mode);
     choice->addItem(
         QString::fromStdString(
@@ -206,19 +205,14 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
       wording_(new QComboBox(this)),
       paper_(new QComboBox(this)),
       quotes_(new QCheckBox(tr("With what participants wrote"), this)),
-      reason_(new QLineEdit(this)),
       target_(new PathField(
           PathField::Kind::NewFile, tr("New file"), tr("Reports (*.html *.pdf)"), this)),
       figures_(new QCheckBox(tr("Each figure as SVG, PDF and PNG"), this)),
       width_(new QSpinBox(this)),
       font_(new QDoubleSpinBox(this)),
       writtenFigures_(new WrittenFile(this)) {
-  for (const auto& language : words::languages()) {
-    const QString tag = QString::fromStdString(language);
-    language_->addItem(nativeName(tag), tag);
-  }
+  addLanguages(*language_, words::languages());
   language_->setAccessibleName(tr("Language"));
-  wording_->setAccessibleName(tr("Numbers in sentences"));
   wording_->addItem(tr("APA: p = .021 [0.41, 2.42]"), static_cast<int>(Wording::Apa));
   wording_->addItem(tr("Vancouver: P = 0.021, 0.41 to 2.42"), static_cast<int>(Wording::Vancouver));
   paper_->setAccessibleName(tr("Pages of a PDF"));
@@ -228,10 +222,8 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
   quotes_->setObjectName(QStringLiteral("quotes"));
   quotes_->setChecked(true);
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("report"), QStringLiteral(".html")));
-  reason_->setAccessibleName(tr("Reason for unblinding"));
-  reason_->setObjectName(QStringLiteral("reason"));
   form().addRow(tr("Sessions"), mode_);
-  form().addRow(tr("Reason for unblinding"), reason_);
+  addReason(tr("Reason for unblinding"), [this] { updateChoices(); });
   auto* pages = new QWidget(this);
   auto* side = withoutMargins<QHBoxLayout>(pages);
   side->addWidget(language_, 3);
@@ -242,7 +234,6 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("File (.html or .pdf)"), target_);
   addFigures();
   connect(mode_, &QComboBox::currentIndexChanged, this, &ReportDialog::updateChoices);
-  connect(reason_, &QLineEdit::textChanged, this, &ReportDialog::updateChoices);
   connect(target_, &PathField::pathChanged, this, &ReportDialog::updateChoices);
   connect(figures_, &QCheckBox::toggled, this, &ReportDialog::updateChoices);
   updateChoices();
@@ -257,10 +248,8 @@ void ReportDialog::addFigures() {
   constexpr double kOfJournals = 8.0;
   figures_->setObjectName(QStringLiteral("figures"));
   width_->setObjectName(QStringLiteral("figure-width"));
-  width_->setAccessibleName(tr("Width of figures [mm]"));
   width_->setRange(kLeastWidth, kMostWidth);
   width_->setValue(kOneColumn);
-  font_->setAccessibleName(tr("Font size in figures [pt]"));
   font_->setRange(kSmallest, kLargest);
   font_->setSingleStep(0.5);
   font_->setDecimals(1);
@@ -276,13 +265,13 @@ void ReportDialog::updateChoices() {
   form().setRowVisible(width_, figures_->isChecked());
   form().setRowVisible(font_, figures_->isChecked());
   const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
-  form().setRowVisible(reason_, isOfPeople);
+  showReason(isOfPeople);
   fit();
   setDisabledReason(
-      !hasSessions(*mode_)                                ? noSessionsText()
-      : isOfPeople && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
-      : target_->path().isEmpty()                         ? tr("Choose a new file.")
-                                                          : QString());
+      !hasSessions(*mode_)             ? noSessionsText()
+      : isOfPeople && reason().empty() ? tr("Give a reason.")
+      : target_->path().isEmpty()      ? tr("Choose a new file.")
+                                       : QString());
 }
 
 void ReportDialog::work() {
@@ -298,7 +287,7 @@ void ReportDialog::work() {
                      ? unusedPathBeside(folder_, QStringLiteral("figures")).toStdString()
                      : std::string(),
       .format = {.width = width_->value(), .font = font_->value()},
-      .reason = reason_->isVisibleTo(this) ? reason_->text().trimmed().toStdString() : ""};
+      .reason = reason()};
   bool isNoted = true;
   const bool isDone = BackgroundTask::run(
       this,

@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 
@@ -75,7 +74,6 @@ class ReportDialog final : public WorkDialog {
   QComboBox* wording_;
   QComboBox* paper_;
   QCheckBox* quotes_;
-  QLineEdit* reason_;
   PathField* target_;
   QCheckBox* figures_;
   QSpinBox* width_;

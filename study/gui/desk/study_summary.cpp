@@ -69,11 +69,6 @@ void fill(StudySummary& summary) {
   fillArrivals(study, summary);
 }
 
-int countIn(const std::map<RunMode, int>& counts, RunMode mode) {
-  const auto found = counts.find(mode);
-  return found == counts.end() ? 0 : found->second;
-}
-
 /// "Pilot: 0 of 1 completed".
 std::string modeInWords(const StudySummary& summary, RunMode mode) {
   return said(
@@ -88,6 +83,11 @@ std::string joined(const std::vector<std::string>& parts) {
 }
 
 }  // namespace
+
+int countIn(const std::map<RunMode, int>& counts, RunMode mode) {
+  const auto found = counts.find(mode);
+  return found == counts.end() ? 0 : found->second;
+}
 
 StudySummary summaryOf(const std::string& folder) {
   StudySummary summary{.folder = folder};

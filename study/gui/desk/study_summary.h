@@ -37,6 +37,9 @@ struct StudySummary {
   std::string problem;  ///< a message that says why the study cannot be opened; empty if it can
 };
 
+/// How many sessions of a mode there are in @p counts.
+int countIn(const std::map<RunMode, int>& counts, RunMode mode);
+
 /// Reads a study without changing it. Problems are returned in the summary.
 StudySummary summaryOf(const std::string& folder);
 

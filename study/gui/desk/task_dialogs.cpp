@@ -24,11 +24,6 @@ constexpr int kMostPlanned = 1000;
 constexpr int kPlanWidth = 900;  // [px]
 constexpr int kStatisticsWidth = 1240;
 
-int countOf(const StudySummary& study, RunMode mode) {
-  const auto found = study.sessions.find(mode);
-  return found == study.sessions.end() ? 0 : found->second;
-}
-
 }  // namespace
 
 AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
@@ -40,15 +35,11 @@ AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
           parent),
       folder_(study.folder),
       file_(new PathField(
-          PathField::Kind::ExistingFile, tr("Changed protocol"), tr("Protocols (*.json)"), this)),
-      reason_(new QLineEdit(this)) {
+          PathField::Kind::ExistingFile, tr("Changed protocol"), tr("Protocols (*.json)"), this)) {
   file_->startIn(protocolFolder());
-  reason_->setObjectName(QStringLiteral("reason"));
-  reason_->setAccessibleName(tr("Reason for the change"));
   form().addRow(tr("Changed protocol"), file_);
-  form().addRow(tr("Reason for the change"), reason_);
+  addReason(tr("Reason for the change"), [this] { updateButton(); });
   connect(file_, &PathField::pathChanged, this, &AmendDialog::check);
-  connect(reason_, &QLineEdit::textChanged, this, &AmendDialog::updateButton);
   check();
 }
 
@@ -65,10 +56,10 @@ void AmendDialog::check() {
 
 void AmendDialog::updateButton() {
   setDisabledReason(
-      file_->path().isEmpty()               ? tr("Choose the changed protocol.")
-      : !checked_.loaded                    ? tr("The protocol has errors.")
-      : reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
-                                            : QString());
+      file_->path().isEmpty() ? tr("Choose the changed protocol.")
+      : !checked_.loaded      ? tr("The protocol has errors.")
+      : reason().empty()      ? tr("Give a reason.")
+                              : QString());
 }
 
 void AmendDialog::work() {
@@ -77,7 +68,7 @@ void AmendDialog::work() {
     auto study = Study::open(folder_);
     const auto& protocol = *checked_.loaded;
     isSame = storage::isSame(study.protocols().current(), protocol);
-    if (!isSame) study.amend(protocol, reason_->text().trimmed().toStdString());
+    if (!isSame) study.amend(protocol, reason());
   });
   if (!isDone) return;
   runButton().setEnabled(false);
@@ -101,7 +92,7 @@ SimulateDialog::SimulateDialog(const StudySummary& study, QWidget* parent)
       participants_(new QSpinBox(this)) {
   participants_->setObjectName(QStringLiteral("participants"));
   participants_->setAccessibleName(tr("Simulated participants in all"));
-  const int already = countOf(study, RunMode::Simulated);
+  const int already = countIn(study.sessions, RunMode::Simulated);
   participants_->setRange(already + 1, kMostSimulated);
   int planned = 0;
   for (const auto& cohort : study.cohorts) planned += cohort.planned;
@@ -150,16 +141,13 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
       power_(new QDoubleSpinBox(this)),
       result_(new ResultView(this)) {
   participants_->setObjectName(QStringLiteral("participants"));
-  participants_->setAccessibleName(tr("Participants of each cohort"));
   participants_->setRange(0, kMostPlanned);
   participants_->setSpecialValueText(tr("as planned in the protocol"));
   effect_->setObjectName(QStringLiteral("effect"));
-  effect_->setAccessibleName(tr("Effect to find (Cohen's d_z)"));
   effect_->setRange(0.05, 10.0);
   effect_->setSingleStep(0.1);
   effect_->setValue(StudyPlanOptions().dz);
   power_->setObjectName(QStringLiteral("power"));
-  power_->setAccessibleName(tr("Power to reach"));
   power_->setRange(0.5, 0.99);
   power_->setSingleStep(0.05);
   power_->setValue(StudyPlanOptions().power);
@@ -209,7 +197,6 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
       folder_(study.folder),
       mode_(makeRunModeBox(study, this)),
       profile_(new QComboBox(this)),
-      reason_(new QLineEdit(this)),
       result_(new ResultView(this)) {
   profile_->setAccessibleName(tr("Which tests"));
   const auto add = [&](const QString& words, Profile profile) {
@@ -218,13 +205,11 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
   add(tr("As the protocol declares"), Profile::Declared);
   add(tr("Within participants, with effect sizes"), Profile::Recommended);
   add(tr("As published: answers pooled"), Profile::AsPublished);
-  reason_->setObjectName(QStringLiteral("reason"));
-  reason_->setAccessibleName(tr("Reason for unblinding"));
   auto* fields = new FieldRow(this);
   fields->add(tr("Sessions"), mode_);
   fields->add(tr("Tests"), profile_);
   form().addRow(fields);
-  form().addRow(tr("Reason for unblinding"), reason_);
+  addReason(tr("Reason for unblinding"), [this] { updateChoices(); });
   addResult(result_);
   widen(kStatisticsWidth);
   const auto forget = [this] {
@@ -233,17 +218,16 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
   };
   connect(mode_, &QComboBox::currentIndexChanged, this, forget);
   connect(profile_, &QComboBox::currentIndexChanged, this, &StatisticsDialog::showResults);
-  connect(reason_, &QLineEdit::textChanged, this, &StatisticsDialog::updateChoices);
   updateChoices();
 }
 
 void StatisticsDialog::updateChoices() {
   const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
-  form().setRowVisible(reason_, isOfPeople);
+  showReason(isOfPeople);
   setDisabledReason(
-      !hasSessions(*mode_)                                ? noSessionsText()
-      : isOfPeople && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
-                                                          : QString());
+      !hasSessions(*mode_)             ? noSessionsText()
+      : isOfPeople && reason().empty() ? tr("Give a reason.")
+                                       : QString());
   showResults();
 }
 
@@ -270,15 +254,14 @@ void StatisticsDialog::showResults() {
 
 void StatisticsDialog::work() {
   const auto mode = chosenMode(*mode_);
-  const auto reason =
-      mode == RunMode::Simulated ? std::string() : reason_->text().trimmed().toStdString();
+  const auto why = reason();
   section_.reset();
   const auto words = words::wordsIn(deskLanguage());
   BackgroundTask::run(
       this, tr("Computing"), MessageTopic::StatisticsNotComputed, [&](const Progress& progress) {
         announceProgress(progress, kUnknownShare, "computing the tables");
-        auto study = Study::open(folder_, accessForUnblinding(reason));
-        recordUnblinding(study, mode, EventKind::UnblindedResults, reason);
+        auto study = Study::open(folder_, accessForUnblinding(why));
+        recordUnblinding(study, mode, EventKind::UnblindedResults, why);
         section_ = report::gatherResults(study, mode, words);
       });
   showResults();

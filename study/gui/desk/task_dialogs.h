@@ -5,7 +5,6 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QLineEdit>
 #include <QSpinBox>
 
 #include "study/gui/authoring/checked_protocol.h"
@@ -37,7 +36,6 @@ class AmendDialog final : public WorkDialog {
   std::string folder_;
   CheckedProtocol checked_;
   PathField* file_;
-  QLineEdit* reason_;
 };
 
 /// Adds simulated participants to a study, as `palpate study simulate` does.
@@ -96,7 +94,6 @@ class StatisticsDialog final : public WorkDialog {
   std::optional<report::ReportSection> section_;  ///< what is shown
   QComboBox* mode_;
   QComboBox* profile_;
-  QLineEdit* reason_;
   ResultView* result_;
 };
 

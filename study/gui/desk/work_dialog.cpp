@@ -128,6 +128,19 @@ void WorkDialog::setDisabledReason(const QString& obstacle) {
   disabledReason_->setText(obstacle);
 }
 
+void WorkDialog::addReason(
+    const QString& label, const std::function<void()>& changed, const QString& hint) {
+  reason_ = new QLineEdit(this);
+  reason_->setObjectName(QStringLiteral("reason"));
+  reason_->setPlaceholderText(hint);
+  form_->addRow(label, reason_);
+  connect(reason_, &QLineEdit::textChanged, this, changed);
+}
+
+std::string WorkDialog::reason() const {
+  return reason_->isVisibleTo(this) ? reason_->text().trimmed().toStdString() : std::string();
+}
+
 QLabel* WorkDialog::addHint(const QString& words) {
   auto* hint = quietLabel(words, this);
   hint->setSizePolicy(QSizePolicy::Expanding, hint->sizePolicy().verticalPolicy());
@@ -138,10 +151,6 @@ QLabel* WorkDialog::addHint(const QString& words) {
 void WorkDialog::showNotice(Mark mark, const QString& line) {
   showMarked(*notice_, mark, line);
   notice_->setVisible(!line.isEmpty());
-}
-
-void WorkDialog::showOutcome(Outcome outcome, const QString& line, const QString& more) {
-  showOutcome(outcome, line, more.isEmpty() ? std::vector<Note>() : std::vector<Note>{{more}});
 }
 
 void WorkDialog::showOutcome(Outcome outcome, const QString& line, const std::vector<Note>& more) {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include <QDialog>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -36,14 +39,20 @@ class WorkDialog : public QDialog {
   /// @param obstacle  "Give a reason."; empty: none
   void setDisabledReason(const QString& obstacle);
 
+  /// Adds a row with the reason for the work, which goes into the audit trail.
+  /// @param changed  called when it is changed
+  void addReason(
+      const QString& label, const std::function<void()>& changed, const QString& hint = {});
+  void showReason(bool isShown) { form_->setRowVisible(reason_, isShown); }
+  /// The reason; empty if its row is not shown.
+  std::string reason() const;
   /// Adds a row with a hint on the field above it.
   QLabel* addHint(const QString& words);
   /// Shows a notice above the form, which the user should read before the work is begun.
   void showNotice(Mark mark, const QString& line);
   /// Shows the result in one line, and details below. After a good result the button no longer has
   /// the style of the main button.
-  void showOutcome(Outcome outcome, const QString& line, const QString& more = {});
-  void showOutcome(Outcome outcome, const QString& line, const std::vector<Note>& more);
+  void showOutcome(Outcome outcome, const QString& line, const std::vector<Note>& more = {});
   /// The same for something that was written, which can be opened from here.
   void showWrittenFile(
       const QString& path,
@@ -84,6 +93,7 @@ class WorkDialog : public QDialog {
   FieldForm* form_;
   QBoxLayout* body_ = nullptr;      ///< the form, with pictures beside it
   QBoxLayout* pictures_ = nullptr;  ///< nullptr: there are none
+  QLineEdit* reason_ = nullptr;     ///< nullptr: none is asked for
   QLabel* notice_;
   QLabel* outcomeLine_;
   class WrittenFile* writtenFile_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QAbstractButton>
 #include <QLabel>
 
 namespace study::gui {
@@ -25,7 +26,14 @@ class FieldLabel final : public QLabel {
 
 }  // namespace
 
+void nameAsLabelled(QWidget* field, const QString& words) {
+  const bool hasOwnWords = qobject_cast<QAbstractButton*>(field) != nullptr;
+  if (field->focusPolicy() == Qt::NoFocus || hasOwnWords) return;
+  if (field->accessibleName().isEmpty()) field->setAccessibleName(words);
+}
+
 void FieldForm::addRow(const QString& words, QWidget* field) {
+  nameAsLabelled(field, words);
   QFormLayout::addRow(words.isEmpty() ? nullptr : new FieldLabel(words, field), field);
 }
 

@@ -5,6 +5,8 @@
 #include <QEvent>
 #include <QLabel>
 
+#include "study/gui/widgets/field_form.h"
+
 namespace study::gui {
 
 FieldRow::FieldRow(QWidget* parent)
@@ -16,6 +18,7 @@ FieldRow::FieldRow(QWidget* parent)
 void FieldRow::add(const QString& words, QWidget* field) {
   auto* name = new QLabel(words, this);
   name->setBuddy(field);
+  nameAsLabelled(field, words);
   auto* pair = new QVBoxLayout;
   pair->setSpacing(4);
   pair->addWidget(name);
