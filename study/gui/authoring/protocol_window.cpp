@@ -228,7 +228,6 @@ void ProtocolWindow::reload() {
   previewButton_->setEnabled(checked_.loaded.has_value());
   fillButton_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
   copyButton_->setVisible(isShipped());
-  emit reloaded();
 }
 
 void ProtocolWindow::showSource(const QString& source) {

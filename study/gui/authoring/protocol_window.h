@@ -34,9 +34,6 @@ class ProtocolWindow final : public QMainWindow {
   /// Reads the file again.
   void reload();
 
- signals:
-  void reloaded();
-
  protected:
   void changeEvent(QEvent* event) override;
 

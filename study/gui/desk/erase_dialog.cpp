@@ -184,7 +184,6 @@ void EraseDialog::work() {
     showWrittenFile(path, tr("%1 is erased. Certificate saved: %2").arg(code, path), {{said}});
   }
   fillIn();
-  emit erased();
 }
 
 }  // namespace study::gui

@@ -22,9 +22,6 @@ class EraseDialog final : public WorkDialog {
  public:
   explicit EraseDialog(const StudySummary& study, QWidget* parent = nullptr);
 
- signals:
-  void erased();
-
  protected:
   void work() override;
 

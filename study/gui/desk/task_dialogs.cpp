@@ -76,7 +76,6 @@ void AmendDialog::work() {
     return showOutcome(Outcome::Warning, tr("This is the protocol that the study uses already."));
   }
   showOutcome(Outcome::Good, tr("Protocol changed. New sessions use it from now on."));
-  emit amended();
 }
 
 SimulateDialog::SimulateDialog(const StudySummary& study, QWidget* parent)
@@ -118,7 +117,6 @@ void SimulateDialog::work() {
           announceProgress(progress, static_cast<double>(std::max(0, begun - 1)) / more, done.what);
         });
       });
-  emit simulated();
   if (!isDone) return clear();
   const auto completed = std::ranges::count_if(endings, [](const SimulatedSessionResult& ending) {
     return ending.state == SessionState::Completed;

@@ -23,9 +23,6 @@ class AmendDialog final : public WorkDialog {
  public:
   explicit AmendDialog(const StudySummary& study, QWidget* parent = nullptr);
 
- signals:
-  void amended();
-
  protected:
   void work() override;
 
@@ -44,9 +41,6 @@ class SimulateDialog final : public WorkDialog {
 
  public:
   explicit SimulateDialog(const StudySummary& study, QWidget* parent = nullptr);
-
- signals:
-  void simulated();
 
  protected:
   void work() override;
