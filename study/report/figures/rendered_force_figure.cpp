@@ -44,8 +44,7 @@ class RenderedForcePainter {
       const std::string& device,
       const FigureFormat& format)
       : painter_(painter), section_(section), format_(format), plot_(renderedForcePlotOf(format)) {
-    for (std::size_t i = 0; i < section.curves.size(); ++i) {
-      const auto& curve = section.curves[i];
+    for (const auto& curve : section.curves) {
       if (!isOf(curve, device)) continue;
       curves_.push_back(&curve);
       for (const auto& point : curve.points) {
@@ -120,9 +119,8 @@ class RenderedForcePainter {
   void band(const RenderedForceCurve& curve) {
     QPainterPath path(at(curve.points.front().travel, curve.points.front().low));
     for (const auto& point : curve.points) path.lineTo(at(point.travel, point.low));
-    for (auto point = curve.points.rbegin(); point != curve.points.rend(); ++point) {
-      path.lineTo(at(point->travel, point->high));
-    }
+    const std::vector back(curve.points.rbegin(), curve.points.rend());
+    for (const auto& point : back) path.lineTo(at(point.travel, point.high));
     auto colour = colourOf(curve);
     colour.setAlphaF(0.16F);
     painter_.setPen(Qt::NoPen);
