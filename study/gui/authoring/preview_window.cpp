@@ -75,8 +75,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   setWindowTitle(
       tr("Preview as participant — %1").arg(QString::fromStdString(loaded.protocol.study.title)));
   auto* inside = new QWidget(this);
-  auto* layout = new QVBoxLayout(inside);
-  layout->setContentsMargins(16, 12, 16, 12);
+  auto* layout = withMargins<QVBoxLayout>(inside, {16, 12, 16, 12});
   makeBar(*layout);
   auto* sides = new QSplitter(Qt::Horizontal, this);
   sides->addWidget(steps_);

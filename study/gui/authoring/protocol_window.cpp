@@ -79,9 +79,7 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   sides->setSizes({600, 600});
   prepareText();
   auto* inside = new QWidget(this);
-  auto* layout = new QVBoxLayout(inside);
-  layout->setContentsMargins(24, 20, 24, 20);
-  layout->setSpacing(12);
+  auto* layout = withMargins<QVBoxLayout>(inside, {24, 20, 24, 20}, 12);
   layout->addLayout(makeHead());
   layout->addWidget(verdict_);
   layout->addWidget(sides, 1);

@@ -61,9 +61,7 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
   saveButton_->setObjectName(QStringLiteral("save"));
   buttons->addButton(saveButton_, QDialogButtonBox::AcceptRole);
   buttons->addButton(QDialogButtonBox::Cancel);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(24, 20, 24, 20);
-  layout->setSpacing(12);
+  auto* layout = withMargins<QVBoxLayout>(this, {24, 20, 24, 20}, 12);
   auto* heading = headingLabel(windowTitle(), this);
   layout->addWidget(heading);
   layout->addWidget(quietLabel(

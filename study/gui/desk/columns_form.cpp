@@ -74,8 +74,7 @@ ColumnsForm::ColumnsForm(QWidget* parent)
     end->setDecimals(3);
     connect(end, &QDoubleSpinBox::valueChanged, this, &ColumnsForm::changed);
   }
-  auto* form = new FieldForm;
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* form = withoutMargins<FieldForm>();
   form->addRow(quietLabel(
       tr("The punch's recorder did not write this table. Say which of its columns are what."),
       this));

@@ -256,8 +256,7 @@ HelpWindow::HelpWindow(QWidget* parent)
   text_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
   auto* sides = new QSplitter(this);
   auto* left = new QWidget(this);
-  auto* lines = new QVBoxLayout(left);
-  lines->setContentsMargins(12, 12, 12, 12);
+  auto* lines = withMargins<QVBoxLayout>(left, {12, 12, 12, 12});
   lines->addWidget(searchField_);
   lines->addWidget(searchResult_);
   lines->addWidget(contents_, 1);

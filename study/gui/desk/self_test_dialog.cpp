@@ -38,8 +38,7 @@ SelfTestDialog::SelfTestDialog(SelfTestOptions options, QWidget* parent)
       options_.study.empty()
           ? tr("No study is chosen: its files are left out.")
           : tr("Study: %1").arg(shownPath(QString::fromStdString(options_.study.string())));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(24, 20, 24, 20);
+  auto* layout = withMargins<QVBoxLayout>(this, {24, 20, 24, 20});
   layout->addWidget(heading);
   layout->addWidget(
       quietLabel(tr("Checks devices, timing, saving and screens in a few seconds."), this));

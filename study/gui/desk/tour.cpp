@@ -112,8 +112,7 @@ Tour::Tour(QWidget* parent)
   buttons->addStretch(1);
   buttons->addWidget(back_);
   buttons->addWidget(next_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(28, 22, 28, 22);
+  auto* layout = withMargins<QVBoxLayout>(this, {28, 22, 28, 22});
   layout->addWidget(stepCount_);
   layout->addWidget(heading_);
   layout->addWidget(scrolled(steps_, this), 1);

@@ -61,9 +61,7 @@ WorkDialog::WorkDialog(
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form_->setVerticalSpacing(10);
   auto* inside = new QWidget(this);
-  auto* page = new QVBoxLayout(inside);
-  page->setContentsMargins(24, 20, 24, 0);
-  page->setSpacing(14);
+  auto* page = withMargins<QVBoxLayout>(inside, {24, 20, 24, 0}, 14);
   page->addWidget(heading);
   page->addWidget(quietLabel(what, this));
   page->addWidget(notice_);
@@ -110,8 +108,7 @@ void WorkDialog::addResult(ResultView* result) {
 QHBoxLayout* WorkDialog::makeButtons() {
   auto* close = new QPushButton(tr("Close"), this);
   close->setAutoDefault(false);
-  auto* buttons = new QHBoxLayout;
-  buttons->setContentsMargins(24, 0, 24, 20);
+  auto* buttons = withMargins<QHBoxLayout>(nullptr, {24, 0, 24, 20});
   disabledReason_->setObjectName(QStringLiteral("obstacle"));
   disabledReason_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   disabledReason_->setWordWrap(false);

@@ -76,9 +76,7 @@ StudyPanel::StudyPanel(QWidget* parent)
   documents->addWidget(sectionLabel(tr("Reports and exports"), documents_));
   documents->addLayout(documentRows_);
   documentRows_->setSpacing(0);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(24, 20, 24, 16);
-  layout->setSpacing(kBetweenParts);
+  auto* layout = withMargins<QVBoxLayout>(this, {24, 20, 24, 16}, kBetweenParts);
   auto* head = new QHBoxLayout;
   head->setSpacing(kBetweenColumns);
   head->addWidget(title_, 1);

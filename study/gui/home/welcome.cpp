@@ -23,9 +23,7 @@ Welcome::Welcome(QWidget* parent)
   constexpr int kWidest = 1040;  // [px]
   auto* inside = new QWidget(this);
   inside->setMaximumWidth(kWidest);
-  auto* lines = new QVBoxLayout(inside);
-  lines->setContentsMargins(0, 24, 0, 24);
-  lines->setSpacing(16);
+  auto* lines = withMargins<QVBoxLayout>(inside, {0, 24, 0, 24}, 16);
   lines->addWidget(titleLabel(tr("Welcome to Palpate"), inside));
   auto* what = quietLabel(
       tr("Palpate runs studies of simulators for surgery: people feel each rendering of a cut "
@@ -77,9 +75,7 @@ void Welcome::addCard(const StartOption& way) {
   auto* button = new QPushButton(way.button, card);
   button->setProperty("role", QString::fromUtf8(way.role));
   button->setAccessibleDescription(way.what);
-  auto* lines = new QVBoxLayout(card);
-  lines->setContentsMargins(20, 18, 20, 20);
-  lines->setSpacing(10);
+  auto* lines = withMargins<QVBoxLayout>(card, {20, 18, 20, 20}, 10);
   lines->addWidget(title);
   auto* what = bodyLabel(way.what, card);
   what->setAlignment(Qt::AlignTop | Qt::AlignLeft);

@@ -77,9 +77,7 @@ void OperatorWindow::makeContents() {
   menuBar()->clear();
   makeMenus();
   auto* inside = new QWidget(this);
-  auto* layout = new QVBoxLayout(inside);
-  layout->setContentsMargins(20, 14, 20, 14);
-  layout->setSpacing(10);
+  auto* layout = withMargins<QVBoxLayout>(inside, {20, 14, 20, 14}, 10);
   head_ = makeHead();
   layout->addWidget(head_);
   pages_->addWidget(sessions_);

@@ -19,8 +19,7 @@ PageMirror::PageMirror(QWidget* parent)
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   picture_->setAccessibleName(windowTitle());
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 6, 8, 8);
+  auto* layout = withMargins<QVBoxLayout>(this, {8, 6, 8, 8});
   heading_->setProperty("role", QStringLiteral("section"));
   layout->addWidget(heading_);
   layout->addWidget(picture_, 1);

@@ -129,9 +129,7 @@ QWidget* SessionsPage::makeEnrolment() {
   card->setProperty("role", QStringLiteral("card"));
   constexpr int kCardWidth = 440;  // [px]
   card->setFixedWidth(kCardWidth);
-  auto* layout = new QVBoxLayout(card);
-  layout->setContentsMargins(20, 16, 20, 16);
-  layout->setSpacing(12);
+  auto* layout = withMargins<QVBoxLayout>(card, {20, 16, 20, 16}, 12);
   layout->addWidget(headingLabel(tr("Next participant"), card));
   cohortProgress_->setSpacing(8);
   layout->addLayout(cohortProgress_);

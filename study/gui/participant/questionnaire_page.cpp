@@ -127,8 +127,7 @@ void QuestionnairePage::addContents(const Content& content) {
       items_.begin(), items_.end(), [](const Item& item) { return !item.consentOption.empty(); });
   column->addWidget(titleLabel(content.title, scrollContents_));
   auto* questions = new QWidget(scrollContents_);
-  place_ = new QVBoxLayout(questions);
-  place_->setContentsMargins(0, 0, 0, 0);
+  place_ = withoutMargins<QVBoxLayout>(questions);
   if (isConsent) {
     column->addWidget(new SideBySide(makeTerms(content.introduction), questions, scrollContents_));
   } else {

@@ -74,22 +74,17 @@ Stage::Stage(const QString& title, QWidget* shown, Panel panel, QWidget* parent)
       reason_(bodyLabel({}, foot_)) {
   grid_->setContentsMargins(0, 0, 0, 0);
   auto* inside = new QWidget(scroll_);
-  column_ = new QGridLayout(inside);
-  column_->setContentsMargins(0, 0, 0, 0);
+  column_ = withoutMargins<QGridLayout>(inside);
   column_->setColumnStretch(0, 1);
   title_->setParent(inside);
   body_ = new QWidget(inside);
-  words_ = new QVBoxLayout(body_);
-  words_->setContentsMargins(0, 0, 0, 0);
-  words_->setSpacing(scaled(*this, 12));
+  words_ = withoutMargins<QVBoxLayout>(body_, scaled(*this, 12));
   stopHint_ = quietLabel(tr("To pause or stop: let go, and tell the researcher."), inside);
   scroll_->setWidgetResizable(true);
   scroll_->setFocusPolicy(Qt::NoFocus);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll_->setWidget(inside);
-  footRows_ = new QGridLayout(foot_);
-  footRows_->setContentsMargins(0, 0, 0, 0);
-  footRows_->setSpacing(scaled(*this, 10));
+  footRows_ = withoutMargins<QGridLayout>(foot_, scaled(*this, 10));
   footRows_->setColumnStretch(0, 1);
   buttons_ = new QBoxLayout(QBoxLayout::LeftToRight);
   buttons_->setSpacing(scaled(*this, 10));

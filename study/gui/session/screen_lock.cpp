@@ -69,8 +69,7 @@ void ScreenLock::ask() {
   if (pinSheet_ != nullptr) return;
   pinSheet_ = new QFrame(&window_);
   pinSheet_->setProperty("role", QStringLiteral("card"));
-  auto* layout = new QVBoxLayout(pinSheet_);
-  layout->setContentsMargins(28, 24, 28, 24);
+  auto* layout = withMargins<QVBoxLayout>(pinSheet_, {28, 24, 28, 24});
   layout->addWidget(bodyLabel(tr("Only for the researcher: the PIN, please."), pinSheet_));
   digits_ = new QLineEdit(pinSheet_);
   digits_->setEchoMode(QLineEdit::Password);

@@ -32,9 +32,7 @@ BackgroundTask::BackgroundTask(
   bar_->setTextVisible(false);
   bar_->setAccessibleName(title);
   cancel_->setVisible(cancelling == Cancelling::Possible);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(24, 20, 24, 20);
-  layout->setSpacing(14);
+  auto* layout = withMargins<QVBoxLayout>(this, {24, 20, 24, 20}, 14);
   layout->addWidget(heading);
   layout->addWidget(words_);
   layout->addWidget(bar_);

@@ -59,13 +59,17 @@ QString signOf(Mark mark);
 /// Shows a state on a pale ground, with its sign before the words.
 void showMarked(QLabel& label, Mark mark, const QString& words);
 
-/// A layout of @p parent's whole area. Without @p spacing, that of the style.
+/// A layout of @p parent within @p margins [px]. Without @p spacing, that of the style.
 template <class Layout>
-Layout* withoutMargins(QWidget* parent = nullptr, int spacing = -1) {
+Layout* withMargins(QWidget* parent, const QMargins& margins, int spacing = -1) {
   auto* layout = new Layout(parent);
-  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setContentsMargins(margins);
   layout->setSpacing(spacing);
   return layout;
+}
+template <class Layout>
+Layout* withoutMargins(QWidget* parent = nullptr, int spacing = -1) {
+  return withMargins<Layout>(parent, {}, spacing);
 }
 
 /// Changes the style of a label ("good", "warn", "resting", "bad", "quiet", "heading") or a button
