@@ -79,22 +79,21 @@ class Windows {
 
   /// By the name of its class, and of a state after "_" where one is not enough.
   std::map<std::string, std::function<Opened()>> all() {
-    const auto summary = summaryOf(folder_ / "study");
     return {
-        {"AmendDialog", [=] { return make<AmendDialog>(summary); }},
+        {"AmendDialog", [this] { return make<AmendDialog>(summary()); }},
         {"BackgroundTask", [] { return make<BackgroundTask>(QStringLiteral("Verify"), waits()); }},
-        {"BackupDialog", [=] { return make<BackupDialog>(summary); }},
+        {"BackupDialog", [this] { return make<BackupDialog>(summary()); }},
         {"BuildBoneDialog", [] { return make<BuildBoneDialog>(); }},
         {"BoneColoursWindow", [] { return cup(); }},
-        {"EraseDialog", [=] { return make<EraseDialog>(summary); }},
-        {"ExportDialog", [=] { return make<ExportDialog>(summary); }},
+        {"EraseDialog", [this] { return make<EraseDialog>(summary()); }},
+        {"ExportDialog", [this] { return make<ExportDialog>(summary()); }},
         {"FindingsDialog", [] { return findings(); }},
         {"FitMaterialDialog", [] { return make<FitMaterialDialog>(); }},
         {"HelpWindow", [] { return make<HelpWindow>(); }},
         {"HomeWindow", [this] { return home(); }},
         {"HomeWindow_Empty", [] { return emptyHome(); }},
         {"ImportCutDialog", [] { return make<ImportCutDialog>(); }},
-        {"KeyDialog", [=] { return make<KeyDialog>(summary); }},
+        {"KeyDialog", [this] { return make<KeyDialog>(summary()); }},
         {"MessageBox", [] { return message(); }},
         {"MessageBox_Question",
          [] {
@@ -109,22 +108,22 @@ class Windows {
         {"PageMirror", [] { return make<PageMirror>(nullptr); }},
         {"ParticipantWindow", [this] { return participant(); }},
         {"PinDialog", [] { return make<PinDialog>(); }},
-        {"PlanDialog", [=] { return make<PlanDialog>(summary); }},
-        {"PlanDialog_Done", [=] { return done<PlanDialog>(summary); }},
+        {"PlanDialog", [this] { return make<PlanDialog>(summary()); }},
+        {"PlanDialog_Done", [this] { return done<PlanDialog>(summary()); }},
         {"PreviewWindow", [this] { return make<PreviewWindow>(protocol_); }},
         {"ProtocolWindow",
          [] { return make<ProtocolWindow>(QStringLiteral("punch-face-validity")); }},
-        {"ReportDialog", [=] { return make<ReportDialog>(summary); }},
+        {"ReportDialog", [this] { return make<ReportDialog>(summary()); }},
         {"SelfTestDialog", [] { return make<SelfTestDialog>(SelfTestOptions{.seconds = 0.1}); }},
         {"SelfTestDialog_Done", [] { return selfTest(); }},
-        {"SimulateDialog", [=] { return make<SimulateDialog>(summary); }},
+        {"SimulateDialog", [this] { return make<SimulateDialog>(summary()); }},
         {"SimulationView", [] { return knee(); }},
-        {"StatisticsDialog", [=] { return make<StatisticsDialog>(summary); }},
+        {"StatisticsDialog", [this] { return make<StatisticsDialog>(summary()); }},
         {"StatisticsDialog_Done", [this] { return done<StatisticsDialog>(simulated()); }},
         {"TextsDialog", [this] { return make<TextsDialog>(protocol_); }},
         {"Tour", [] { return make<Tour>(); }},
-        {"VerifyDialog", [=] { return make<VerifyDialog>(summary); }},
-        {"VerifyDialog_Done", [=] { return done<VerifyDialog>(summary); }},
+        {"VerifyDialog", [this] { return make<VerifyDialog>(summary()); }},
+        {"VerifyDialog_Done", [this] { return done<VerifyDialog>(summary()); }},
     };
   }
 
@@ -209,6 +208,7 @@ class Windows {
         QStringLiteral("The disk is full. Free 20 MB, and try again."));
   }
 
+  StudySummary summary() { return summaryOf(folder_ / "study"); }
   static Opened knee() { return {nullptr, std::shared_ptr<QWidget>(openBuiltInKnee(nullptr))}; }
 
   struct Idle {
@@ -343,7 +343,7 @@ TEST_P(WindowWalk, CanBeReadInEveryTheme) {
 TEST_P(WindowWalk, FitsEveryScreenInEveryLanguage) {
   QStringList flaws;
   for (const auto& language : words::languages()) {
-    open(language);
+    if (language != deskLanguage()) open(language);
     // A scale of 150 or 200 % leaves a window the fewer pixels of its own.
     const bool isDialog = qobject_cast<QDialog*>(&window()) != nullptr;
     const QSize natural = window().size();
