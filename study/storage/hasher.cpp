@@ -22,8 +22,7 @@ Hash hashWith(std::span<const unsigned char> key, std::span<const std::byte> byt
 }  // namespace
 
 void Hasher::add(std::string_view field) {
-  fields_ += std::to_string(field.size()) + ":";
-  fields_ += field;
+  fields_.append(std::to_string(field.size())).append(1, ':').append(field);
 }
 
 void Hasher::add(const std::optional<std::int64_t>& number) {
