@@ -103,9 +103,7 @@ study::VoteResult vote(
       .intervals = intervals};
 }
 
-}  // namespace
-
-study::report::ReportSection madeUpSection() {
+study::report::ReportSection makeUpSection() {
   questionnaires::Problems problems;
   auto loaded = *protocols::loadProtocolFile("punch-face-validity", problems);
   loaded.protocol.study.title = "Cut & <script>alert(1)</script>";
@@ -199,6 +197,13 @@ study::report::ReportSection madeUpSection() {
       {"interpolation", "largest force", {}, {3, 5.5, 0.25, 0.5}}};
   section.warnings = problems.all();
   return section;
+}
+
+}  // namespace
+
+study::report::ReportSection madeUpSection() {
+  static const auto made = makeUpSection();  // its models take their time
+  return made;
 }
 
 study::report::ReportSection madeUpSectionOfSites() {
