@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -32,14 +33,20 @@ struct ReportArguments {
   std::string reason;
 };
 
-/// Writes each figure as a file to a new folder.
+/// Writes each figure as a file to a new folder. Those of another study of the same protocol are in
+/// a folder "study-2" in it, or of another number.
 void writeFigureFolder(
     std::vector<report::ReportSection>& sections,
     const std::string& folder,
     const report::FigureFormat& format) {
-  std::filesystem::create_directories(folder);
+  std::set<std::string> protocols;  // whose figures are named by them
   int count = 0;
-  for (auto& section : sections) count += writeFigures(section, folder, format);
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const bool isFirst = protocols.insert(sections[i].protocol.study.id).second;
+    const auto place = isFirst ? folder : fmt::format("{}/study-{}", folder, i + 1);
+    std::filesystem::create_directories(place);
+    count += writeFigures(sections[i], place, format);
+  }
   if (count == 0) {
     throw std::runtime_error("There are no figures: this palpate was built without Qt.");
   }

@@ -1,5 +1,6 @@
 // The commands for a study: create, simulate, amend, status, backup, export, report.
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -106,6 +107,24 @@ TEST_F(StudyCommands, WritesASelfContainedReport) {
     EXPECT_EQ(html.find(loads), std::string::npos) << loads;
   }
   EXPECT_NE(html.find("Simulated"), std::string::npos);
+}
+
+TEST_F(StudyCommands, KeepTheFiguresOfTwoStudiesOfOneProtocolApart) {
+  const auto study = made("punch-face-validity", 2);
+  const std::string page = folder_ / "page.html";
+  const std::string figures = folder_ / "figures";
+  const auto finished = palpate(
+      {"report", study, study, "--run-mode", "simulated", "--out", page, "--figures", figures});
+  ASSERT_EQ(finished.status, 0) << finished.error;
+  const auto filesIn = [](const std::string& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (entry.is_regular_file()) names.insert(entry.path().filename());
+    }
+    return names;
+  };
+  EXPECT_FALSE(filesIn(figures).empty());
+  EXPECT_EQ(filesIn(figures), filesIn(figures + "/study-2"));
 }
 
 }  // namespace study_commands_test
