@@ -11,9 +11,11 @@
 #include <QCoreApplication>
 #include <QDeadlineTimer>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QSignalBlocker>
+#include <QStyleHints>
 #include <QTime>
 #include <QTimer>
 
@@ -51,7 +53,8 @@ ParticipantWindow::ParticipantWindow(
       back_(new QPushButton(this)),
       next_(new QPushButton(this)),
       operator_(new QPushButton(this)),
-      lock_(new ScreenLock(*this, *operator_, pin)) {
+      lock_(new ScreenLock(*this, *operator_, pin)),
+      newPageTimer_(new QTimer(this)) {
   setWindowTitle(QStringLiteral("Palpate"));
   disableMnemonics(*this);
   progress_->setTextVisible(false);
@@ -106,6 +109,12 @@ ParticipantWindow::ParticipantWindow(
   rows_->addWidget(bottom_);
   adjustScale();
 
+  constexpr int kLeastIgnoreTime = 400;  // [ms]: the usual time of a double click
+  newPageTimer_->setObjectName(QStringLiteral("new-page"));
+  newPageTimer_->setSingleShot(true);
+  newPageTimer_->setInterval(
+      std::max(kLeastIgnoreTime, QGuiApplication::styleHints()->mouseDoubleClickInterval()));
+  connect(newPageTimer_, &QTimer::timeout, this, [this] { takePresses(true); });
   connect(next_, &QPushButton::clicked, this, &ParticipantWindow::goOn);
   connect(back_, &QPushButton::clicked, this, &ParticipantWindow::goBack);
   connect(&controller_, &SessionController::aboutToLeave, this, [this] {
@@ -211,6 +220,7 @@ void ParticipantWindow::showStep() {
   // The same trial is still running: its page may be in a drag of the mouse that moves the hand.
   if (trialPage_ != nullptr && controller_.isTrialRunning()) {
     trialPage_->setRunning(true, controller_.isDeviceVirtual());
+    ignorePresses();
     return;
   }
   retranslate();
@@ -245,6 +255,7 @@ void ParticipantWindow::readAgain() {
   back_->hide();
   remark_->clear();
   readAgainPage_->setFocus();
+  ignorePresses();
 }
 
 void ParticipantWindow::stopReadingAgain() {
@@ -252,6 +263,7 @@ void ParticipantWindow::stopReadingAgain() {
   page_->show();
   page_->setFocus();
   showUnanswered(false);
+  ignorePresses();
 }
 
 void ParticipantWindow::goOn() {
@@ -266,13 +278,27 @@ void ParticipantWindow::goOn() {
     return;
   }
   showsUnanswered_ = false;
-  if (!questions_->turnSheet(true)) controller_.finishStep();
+  questions_->turnSheet(true) ? ignorePresses() : controller_.finishStep();
 }
 
 void ParticipantWindow::goBack() {
   showsUnanswered_ = false;
   if (questions_ == nullptr || readAgainPage_ != nullptr) return;
-  if (!questions_->turnSheet(false)) readAgain();
+  questions_->turnSheet(false) ? ignorePresses() : readAgain();
+}
+
+/// Ignores presses for a moment after a page has changed: the second press of a double click on
+/// Next would fall on the next page, where it could begin a trial. The keyboard still works,
+/// because the focus leaves the button with its page.
+void ParticipantWindow::ignorePresses() {
+  takePresses(false);
+  newPageTimer_->start();
+}
+
+void ParticipantWindow::takePresses(bool isTaking) {
+  for (auto* part : {page_, readAgainPage_, bottom_}) {
+    if (part != nullptr) part->setAttribute(Qt::WA_TransparentForMouseEvents, !isTaking);
+  }
 }
 
 /// Says how many questions are open once Next was pressed, or that the page goes on below.
@@ -315,6 +341,7 @@ void ParticipantWindow::showPage(QWidget* page) {
   for (int i = 0; i < kRounds; ++i)
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   page->setFocus();
+  ignorePresses();
 }
 
 QWidget* ParticipantWindow::makePage() {

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <QWidget>
 
@@ -53,6 +54,8 @@ class ParticipantWindow final : public QWidget {
   bool mayReadAgain() const;
   void readAgain();
   void stopReadingAgain();
+  void ignorePresses();
+  void takePresses(bool isTaking);
   void showUnanswered(bool isAskedFor);
   void updateProgress();
   void updateTrial();
@@ -86,6 +89,7 @@ class ParticipantWindow final : public QWidget {
   QPushButton* next_;
   QPushButton* operator_;
   ScreenLock* lock_;
+  QTimer* newPageTimer_;  ///< while it runs, presses are ignored
   QWidget* page_ = nullptr;
   QWidget* readAgainPage_ =
       nullptr;  ///< the text before the step, while it is read again over the page

@@ -2,6 +2,7 @@
 #include "study/gui/participant/participant_window.h"
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include <QCoreApplication>
 #include <QLabel>
 #include <QTest>
+#include <QTimer>
 #include <QVariantAnimation>
 
 #include "haptics/devices/punch/punch_kind.h"
@@ -115,6 +117,40 @@ TEST_F(ParticipantPages, ExplainWhyNextDoesNotGoOn) {
   EXPECT_TRUE(rows[0]->button(0)->hasFocus());
   QTest::mouseClick(rows[0]->button(0), Qt::LeftButton);
   EXPECT_TRUE(says(items - 1));
+}
+
+TEST_F(ParticipantPages, BeginNoTrialByTheSecondPressOfADoubleClickOnNext) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  participant_.goTo(StepKind::Questionnaire);
+  QCoreApplication::processEvents();
+  auto* newPage = page().findChild<QTimer*>(QStringLiteral("new-page"));
+  ASSERT_NE(newPage, nullptr);
+  const auto waitForItsEnd = [&] {
+    newPage->start(0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !newPage->isActive(); }));
+    newPage->setInterval(std::chrono::hours(1));  // of the next page: it ends only here
+  };
+  waitForItsEnd();
+  // As a mouse does: what lies at the place gets the press.
+  const auto press = [&](const char* words) {
+    QCoreApplication::processEvents();
+    const auto* button = tests::buttonSaying(&page(), QString::fromUtf8(words));
+    ASSERT_NE(button, nullptr) << words;
+    const auto place = button->mapTo(&page(), button->rect().center());
+    QTest::mouseClick(page().windowHandle(), Qt::LeftButton, {}, place);
+  };
+  for (auto* row : page().findChildren<OptionButtons*>())
+    QTest::mouseClick(row->button(0), Qt::LeftButton);
+  press("Next");
+  ASSERT_EQ(window_.controller()->session().step().kind, StepKind::Trial);
+  press("Begin");
+  EXPECT_FALSE(window_.controller()->isTrialRunning());
+  waitForItsEnd();
+  press("Begin");
+  EXPECT_TRUE(window_.controller()->isTrialRunning());
+  EXPECT_TRUE(newPage->isActive()) << "the second press of a double click on Begin is none on Done";
+  window_.controller()->stop();
 }
 
 TEST_F(ParticipantPages, SayWhichStepOfHowManyItIs) {
