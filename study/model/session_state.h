@@ -65,6 +65,7 @@ inline constexpr auto kSessionTransitions = std::to_array<SessionTransition>({
     {SessionState::Consented, SessionEvent::FinishedSession, SessionState::Completed},
 
     {SessionState::Consented, SessionEvent::BeganTrial, SessionState::InTrial},
+    {SessionState::Consented, SessionEvent::GaveUpOnDevice, SessionState::AbortedHardware},
     {SessionState::InTrial, SessionEvent::FinishedTrial, SessionState::Consented},
     {SessionState::InTrial, SessionEvent::BrokeOffTrial, SessionState::Interrupted},
     {SessionState::Interrupted, SessionEvent::RepeatedStep, SessionState::Consented},

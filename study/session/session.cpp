@@ -234,7 +234,8 @@ bool allows(
     SessionState state, const std::vector<Step>& plan, int step, SessionEvent event) noexcept {
   if (!next(state, event) || isOver(state)) return false;
   const auto kind = plan[static_cast<std::size_t>(step)].kind;
-  if (event == SessionEvent::BeganTrial) return kind == StepKind::Trial;
+  if (event == SessionEvent::BeganTrial || event == SessionEvent::GaveUpOnDevice)
+    return kind == StepKind::Trial;
   if (event == SessionEvent::FinishedStep) return kind != StepKind::Trial;
   if (event == SessionEvent::RepeatedStep) return !isRightAfterConsent(state, plan, step);
   if (event == SessionEvent::SkippedStep) return kind != StepKind::Consent;

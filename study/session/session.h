@@ -115,7 +115,7 @@ class Session {
   void withdraw(const std::string& reason);
   /// The operator rejects the session (SessionState::Rejected). Not possible during a trial.
   void reject(const std::string& reason);
-  /// Ends the session because its device cannot be used.
+  /// Ends the session because its device cannot be used: before a trial, or after one broke off.
   void giveUpOnDevice(const std::string& reason);
   /// Appends a note of the operator to the audit trail.
   void note(const std::string& text);

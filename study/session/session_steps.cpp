@@ -210,6 +210,7 @@ void Session::reject(const std::string& reason) {
 void Session::giveUpOnDevice(const std::string& reason) {
   require(SessionEvent::GaveUpOnDevice);
   transact([&] {
+    if (row_.state == SessionState::Consented) leaveStep(VisitStatus::BrokenOff, reason);
     enter(SessionEvent::GaveUpOnDevice, Actor::Operator, reason);
     end(SlotState::Released, reason);
   });

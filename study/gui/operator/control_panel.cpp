@@ -250,7 +250,8 @@ void ControlPanel::refresh() {
 /// Why @p event is not possible now.
 QString ControlPanel::whyNot(SessionEvent event, bool isRunning) {
   if (isRunning) return tr("Not while a trial is running");
-  if (event == SessionEvent::GaveUpOnDevice) return tr("Only after a trial broke off");
+  if (event == SessionEvent::GaveUpOnDevice)
+    return tr("Only before a trial, or after one broke off");
   if (event == SessionEvent::SkippedStep || event == SessionEvent::RepeatedStep)
     return tr("Not possible in this step");
   return tr("Not possible in this state of the session");

@@ -328,7 +328,11 @@ void SessionsPage::showSelected() {
     const auto state = one == nullptr ? SessionState::Completed : one->state;
     // A trial that was running counts as broken off when its session is opened.
     const auto found = state == SessionState::InTrial ? SessionState::Interrupted : state;
-    button->setVisible(one != nullptr && !one->isOpenElsewhere() && next(found, event));
+    const bool isPossible = one != nullptr && !one->isOpenElsewhere() && next(found, event);
+    // A device can only fail at a trial.
+    const bool isItsStep =
+        event != SessionEvent::GaveUpOnDevice || (isPossible && one->at.kind == StepKind::Trial);
+    button->setVisible(isPossible && isItsStep);
   }
   if (one == nullptr) {
     details_->setText(

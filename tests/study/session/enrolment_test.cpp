@@ -66,6 +66,12 @@ void giveUp(Session& session) {
   session.giveUpOnDevice("the cable is torn");
 }
 
+void giveUpBeforeATrial(Session& session) {
+  EXPECT_FALSE(session.allows(SessionEvent::GaveUpOnDevice)) << "no device is needed here";
+  tests::walkTo(session, StepKind::Trial);
+  session.giveUpOnDevice("it cannot be opened");
+}
+
 class LeavingTest : public testing::TestWithParam<Leaving> {};
 
 TEST_P(LeavingTest, GivesThePlaceAndItsOrderToTheNextPerson) {
@@ -88,7 +94,8 @@ INSTANTIATE_TEST_SUITE_P(
         Leaving{"Declining", decline},
         Leaving{"Withdrawing", [](Session& s) { s.withdraw("tired"); }},
         Leaving{"BeingRejected", [](Session& s) { s.reject("not a surgeon"); }},
-        Leaving{"LosingTheDevice", giveUp}),
+        Leaving{"LosingTheDevice", giveUp},
+        Leaving{"FindingNoDevice", giveUpBeforeATrial}),
     [](const auto& leaving) { return leaving.param.name; });
 
 TEST(Enrolment, GivesPilotsAndSimulationsTheirOwnPlaces) {

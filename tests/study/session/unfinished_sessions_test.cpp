@@ -77,6 +77,8 @@ TEST_F(UnfinishedSessionsTest, OfferExactlyTheAllowedEvents) {
     const auto found = look();
     session.emplace(Session::resume(*study_, id));
     EXPECT_EQ(offers(found, "Skip"), session->allows(SessionEvent::SkippedStep)) << describe(found);
+    EXPECT_EQ(offers(found, "Device failed"), session->allows(SessionEvent::GaveUpOnDevice))
+        << describe(found);
     EXPECT_EQ(offers(found, "repeat it"), session->allows(SessionEvent::RepeatedStep))
         << describe(found);
     tests::passStep(*session);
