@@ -365,7 +365,9 @@ void OperatorWindow::endSession() {
 
 void OperatorWindow::closeEvent(QCloseEvent* event) {
   if (controller_ && controller_->isTrialRunning()) {
-    showMessage(this, MessageTopic::TrialIsRunning);
+    MessageBox box(MessageTopic::TrialIsRunning, {}, {}, this);
+    connect(controller_.get(), &SessionController::stepChanged, &box, &QDialog::reject);
+    box.exec();
     event->ignore();
     return;
   }

@@ -189,7 +189,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .title = "A trial is running",
      .headline = "The window cannot be closed while a trial is running.",
      .data = "The trial goes on, and is being recorded.",
-     .advice = "Stop the trial first; then close the window.",
+     .advice = "Stop the trial first (STOP, or Esc); then close the window.",
      .safe = "Go on with the trial"},
 
     {.topic = BoneBesideParticipant,
