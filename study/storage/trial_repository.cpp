@@ -174,6 +174,15 @@ void TrialRepository::addSealed(
   insert.run();
 }
 
+std::vector<std::string> TrialRepository::devices(SessionId session) const {
+  Statement select(
+      database_, "SELECT DISTINCT device FROM trial WHERE session_id = ? ORDER BY device");
+  select.bind(1, static_cast<std::int64_t>(session));
+  std::vector<std::string> devices;
+  while (select.step()) devices.push_back(select.text(0));
+  return devices;
+}
+
 bool TrialRepository::isSimulated(SessionId session) const {
   Statement select(database_, "SELECT 1 FROM session WHERE id = ? AND run_mode = 'simulated'");
   return select.bind(1, static_cast<std::int64_t>(session)).step();

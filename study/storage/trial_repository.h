@@ -1,6 +1,7 @@
 #pragma once
 
 #include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -49,6 +50,9 @@ class TrialRepository {
   /// Inserts a trial inside the caller's transaction. If the database has the study's key, the
   /// measured values are sealed, except for simulated sessions.
   void add(const VisitKey& visit, const TrialRecord& record);
+
+  /// The names of the devices on which a session's trials were felt, each once.
+  std::vector<std::string> devices(SessionId session) const;
 
   /// Inserts trials from another file. Equal rows are sealed to equal bytes for the same place and
   /// key.

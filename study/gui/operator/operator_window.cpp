@@ -1,5 +1,6 @@
 #include "study/gui/operator/operator_window.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QCloseEvent>
@@ -11,6 +12,8 @@
 #include <QScreen>
 #include <QVBoxLayout>
 
+#include "haptics/devices/simulated_device.h"
+#include "haptics/registry/device_kinds.h"
 #include "study/gui/operator/consent_copy_dialog.h"
 #include "study/gui/operator/control_panel.h"
 #include "study/gui/operator/device_panel.h"
@@ -30,6 +33,7 @@
 #include "study/gui/widgets/mnemonics.h"
 #include "study/gui/widgets/theme.h"
 #include "study/session/trial_setup.h"
+#include "study/storage/trial_repository.h"
 #include "study/trial/hardware_device_set.h"
 
 namespace study::gui {
@@ -209,7 +213,25 @@ void OperatorWindow::enrolAfterChecks(const Enrolment& enrolment) {
 }
 
 void OperatorWindow::resumeAfterChecks(SessionId id, const std::string& takeOver) {
-  if (!controller_ && devices_->confirmDevicesReady()) resume(id, takeOver);
+  if (controller_ || !devices_->confirmDevicesReady()) return;
+  bool mayGoOn = false;
+  attempt(this, MessageTopic::SessionNotContinued, [&] { mayGoOn = confirmVirtualDevices(id); });
+  if (mayGoOn) resume(id, takeOver);
+}
+
+/// Asks before a session that was felt on an instrument goes on with virtual devices, as when the
+/// program was started again without its device file.
+bool OperatorWindow::confirmVirtualDevices(SessionId id) {
+  if (!devices_->usesVirtualDevices()) return true;
+  QStringList real;
+  for (const auto& name : storage::TrialRepository(study_.database()).devices(id)) {
+    const bool isVirtual = std::ranges::any_of(haptics::deviceKinds(), [&](const auto* kind) {
+      return haptics::devices::simulated(*kind).name == name;
+    });
+    if (!isVirtual) real << QString::fromStdString(name);
+  }
+  return real.isEmpty() ||
+         ask(this, MessageTopic::GoOnVirtually, {real.join(QStringLiteral(", "))});
 }
 
 void OperatorWindow::begin(Session session) {

@@ -51,7 +51,8 @@ class OperatorWindow final : public QMainWindow {
   /// Checks devices and texts, then enrols. If a check fails, the operator decides; but no live
   /// session begins with blanks in its texts.
   void enrolAfterChecks(const Enrolment& enrolment);
-  /// Checks the devices, then resumes. If a check fails, the operator decides.
+  /// Checks the devices, then resumes. If a check fails, or virtual devices would go on in place of
+  /// an instrument, the operator decides.
   void resumeAfterChecks(SessionId id, const std::string& takeOver = {});
 
   SessionController* controller() const noexcept { return controller_.get(); }
@@ -73,6 +74,7 @@ class OperatorWindow final : public QMainWindow {
   QWidget* makeHead();
   QWidget* makeSession();
   void connectPanels();
+  bool confirmVirtualDevices(SessionId id);
   void begin(Session session);
   void followSession();
   void showParticipant();

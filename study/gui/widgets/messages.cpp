@@ -210,6 +210,17 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .advice = "Go on, remove the cause, and close the session again.",
      .safe = "Go on with the session",
      .action = "Close and lose it"},
+    {.topic = GoOnVirtually,
+     .kind = Kind::Question,
+     .title = "Continue session",
+     .headline = "Go on with virtual devices?",
+     .data =
+         "Until now this session was felt on: %1. Now the devices are virtual: nothing is felt, "
+         "and the participant's mouse or space bar is the hand.",
+     .advice = "To go on with the instrument, end the program, and start it with the device file "
+               "(--devices FILE).",
+     .safe = "Do not go on",
+     .action = "Go on with virtual devices"},
     {.topic = PilotSessionHasBlanks,
      .kind = Kind::Question,
      .title = "Texts with blanks",
