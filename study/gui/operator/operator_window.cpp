@@ -245,7 +245,7 @@ void OperatorWindow::begin(Session session) {
       &participant_->lock(),
       &ScreenLock::opened,
       this,
-      &OperatorWindow::showWaitingErrors,
+      &OperatorWindow::takeScreenBack,
       Qt::QueuedConnection);
   trial_->setController(controller_.get());
   controls_->setController(controller_.get());
@@ -275,6 +275,16 @@ void OperatorWindow::showError(const QString& why) {
     return;
   }
   showMessage(this, MessageTopic::StepNotDone, {}, why);
+}
+
+/// After the right PIN: puts the windows where they were at the start of the session, this one in
+/// front.
+void OperatorWindow::takeScreenBack() {
+  if (!participant_) return;
+  showParticipant();
+  raise();
+  activateWindow();
+  showWaitingErrors();
 }
 
 void OperatorWindow::showWaitingErrors() {

@@ -80,6 +80,7 @@ class OperatorWindow final : public QMainWindow {
   void showParticipant();
   void handOver();
   void showError(const QString& why);
+  void takeScreenBack();
   void showWaitingErrors();
   void stop();
   void showInterview();

@@ -14,6 +14,8 @@ namespace study::gui {
 ScreenLock::ScreenLock(QWidget& window, QPushButton& button, OperatorPin& pin)
     : QObject(&window), window_(window), button_(button), pin_(pin) {
   button_.hide();
+  // A click does not move the focus there: a space that is typed later would ask for the PIN.
+  button_.setFocusPolicy(Qt::TabFocus);
   window_.installEventFilter(this);
   connect(&button_, &QPushButton::clicked, this, &ScreenLock::ask);
   constexpr int kTryInterval = 100;  // [ms]
@@ -32,8 +34,8 @@ void ScreenLock::cover(bool isCovering) {
   window_.setWindowFlag(Qt::WindowStaysOnTopHint, isCovering);
   window_.setWindowFlag(Qt::FramelessWindowHint, isCovering);
   isCovering ? window_.showFullScreen() : window_.showNormal();
-  window_.activateWindow();
   if (isCovering) {
+    window_.activateWindow();
     grabTimer_.start();
     return;
   }
@@ -103,7 +105,7 @@ void ScreenLock::tryPin() {
   if (isRight) {
     open();
   } else if (pin_.secondsUntilNextTry() > 0) {
-    answer_->setText(tr("That is not the PIN. Please wait %1 s.").arg(pin_.secondsUntilNextTry()));
+    answer_->setText(tr("That is not the PIN. Please wait %1 s.").arg(pin_.secondsUntilNextTry()));
   } else {
     answer_->setText(tr("That is not the PIN."));
   }

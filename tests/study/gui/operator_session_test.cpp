@@ -286,19 +286,77 @@ class InFront {
   QTimer look_;
 };
 
-TEST_F(OperatorSession, ShowsMessagesOnlyAfterUnlocking) {
+TEST_F(OperatorSession, GoesOnWithATrialWhoseWarningIsClosedByEscape) {
   enrol();
-  const InFront choosePin([](QWidget& dialog) {
-    for (auto* line : dialog.findChildren<QLineEdit*>()) {
-      QTest::keyClicks(line, QStringLiteral("2468"));
-    }
-    QTest::mouseClick(buttonSaying(&dialog, QStringLiteral("Hand over")), Qt::LeftButton);
+  goTo(StepKind::Trial);
+  participant_.cut(0);
+  ASSERT_TRUE(window_.controller()->isTrialRunning());
+  const InFront dismiss([](QWidget& message) {
+    QTest::keyClick(&message, Qt::Key_Escape);
     return true;
   });
-  QTest::mouseClick(buttonSaying(&window_, QStringLiteral("Hand over…")), Qt::LeftButton);
-  auto& lock = window_.participantWindow()->lock();
-  ASSERT_TRUE(lock.isLocked());
+  EXPECT_FALSE(window_.close());
+  EXPECT_TRUE(window_.controller()->isTrialRunning());
+  const InFront stop([](QWidget& message) {
+    QTest::keyClick(&message, Qt::Key_F12);  // the message says that the trial goes on: it goes
+    return true;
+  });
+  EXPECT_FALSE(window_.close());
+  EXPECT_FALSE(window_.controller()->isTrialRunning());
+}
 
+TEST_F(OperatorSession, AsksBeforeVirtualDevicesGoOnInPlaceOfAnInstrument) {
+  enrol();
+  goTo(StepKind::Trial);
+  participant_.cut(0);
+  window_.controller()->stop();
+  const auto id = session().id();
+  const auto close = [&] {
+    QTest::mouseClick(buttonSaying(&window_, QStringLiteral("Close session")), Qt::LeftButton);
+  };
+  close();
+  {
+    const Reader reader;
+    window_.resumeAfterChecks(id);
+    EXPECT_TRUE(reader.texts().isEmpty()) << "it was virtual before";
+  }
+  close();
+  tests::Sql(StudyFiles{study_.folder()}.study()).run("UPDATE trial SET device = 'punch (COM3)'");
+  const Reader reader;
+  window_.resumeAfterChecks(id);
+  ASSERT_EQ(reader.texts().size(), 1);
+  EXPECT_TRUE(reader.texts().front().contains(QStringLiteral("was felt on: punch (COM3)")));
+  EXPECT_EQ(window_.controller(), nullptr) << "closing the question does not go on";
+}
+
+/// A session whose participant's window covers the screen until the PIN 2468.
+class HandedOver : public OperatorSession {
+ protected:
+  void handOver() {
+    enrol();
+    const InFront choosePin([](QWidget& dialog) {
+      for (auto* line : dialog.findChildren<QLineEdit*>()) {
+        QTest::keyClicks(line, QStringLiteral("2468"));
+      }
+      QTest::mouseClick(buttonSaying(&dialog, QStringLiteral("Hand over")), Qt::LeftButton);
+      return true;
+    });
+    QTest::mouseClick(buttonSaying(&window_, QStringLiteral("Hand over…")), Qt::LeftButton);
+    ASSERT_TRUE(window_.participantWindow()->lock().isLocked());
+  }
+
+  void unlock() {
+    QTest::mouseClick(
+        buttonSaying(window_.participantWindow(), QStringLiteral("Researcher")), Qt::LeftButton);
+    auto* pin = window_.participantWindow()->findChild<QLineEdit*>();
+    ASSERT_NE(pin, nullptr);
+    QTest::keyClicks(pin, QStringLiteral("2468"));
+    QTest::keyClick(pin, Qt::Key_Return);
+  }
+};
+
+TEST_F(HandedOver, ShowsMessagesOnlyAfterUnlocking) {
+  handOver();
   QString told;
   emit window_.controller()->failed(QStringLiteral("The disk is full."));
   emit window_.controller()->failed(QStringLiteral("It still is."));
@@ -310,15 +368,17 @@ TEST_F(OperatorSession, ShowsMessagesOnlyAfterUnlocking) {
     message.close();
     return true;
   });
-  QTest::mouseClick(
-      buttonSaying(window_.participantWindow(), QStringLiteral("Researcher")), Qt::LeftButton);
-  auto* pin = window_.participantWindow()->findChild<QLineEdit*>();
-  ASSERT_NE(pin, nullptr);
-  QTest::keyClicks(pin, QStringLiteral("2468"));
-  QTest::keyClick(pin, Qt::Key_Return);
+  unlock();
   EXPECT_TRUE(QTest::qWaitFor([&] { return !told.isEmpty(); }, 2000));
   EXPECT_TRUE(told.endsWith(QStringLiteral("\n\nThe disk is full.\n\nIt still is.")))
       << told.toStdString();
+}
+
+TEST_F(HandedOver, GivesTheOperatorTheKeyboardBackAfterThePin) {
+  handOver();
+  EXPECT_NE(QApplication::activeWindow(), &window_);
+  unlock();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return QApplication::activeWindow() == &window_; }, 2000));
 }
 
 }  // namespace operator_session_test
