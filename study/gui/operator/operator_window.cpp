@@ -317,21 +317,38 @@ void OperatorWindow::showParticipant() {
     participant_->resize(1100, 760);
     participant_->show();
     tile();
+    constexpr int kUntilFramed = 300;                               // [ms]
+    QTimer::singleShot(kUntilFramed, this, &OperatorWindow::tile);  // with the frame as it is
   }
 }
 
-/// Puts both windows side by side if one screen has room for them.
+/// The size of the frame that the desktop adds to @p window. A desktop tells it only after it has
+/// shown the window; until then it is taken for a title of the usual height.
+static QSize frameOf(const QWidget& window) {
+  constexpr QSize kUsual(0, 40);  // [px]
+  const QSize frame = window.frameSize() - window.size();
+  return frame.height() > 0 ? frame : kUsual;
+}
+
+/// Puts both windows side by side if one screen has room for them, and otherwise the participant's
+/// beside the button that stops.
 void OperatorWindow::tile() {
-  const auto places = windowGeometriesOn(screen()->availableGeometry());
-  const bool isFree = participant_ && !participant_->lock().isLocked();
-  if (!isFree || !places) return;
-  const QSize frame = frameSize() - size();  // size of the frame that the desktop adds to a window
-  setWindowState(Qt::WindowNoState);
+  const QRect screen = this->screen()->availableGeometry();
+  if (!participant_ || participant_->lock().isLocked()) return;
+  const auto places = windowGeometriesOn(screen);
+  const auto beside = placeBesideStop(screen);
+  if (!places && !beside) return;
   participant_->setWindowState(Qt::WindowNoState);
-  move(places->own.topLeft());
-  resize(places->own.size() - frame);
-  participant_->move(places->participant.topLeft());
-  participant_->resize(places->participant.size() - frame);
+  if (places) {
+    setWindowState(Qt::WindowNoState);
+    move(places->own.topLeft());
+    resize(places->own.size() - frameOf(*this));
+  } else {
+    setWindowState(Qt::WindowMaximized);
+  }
+  const QRect& place = places ? places->participant : *beside;
+  participant_->move(place.topLeft());
+  participant_->resize(place.size() - frameOf(*participant_));
 }
 
 void OperatorWindow::useSessionLanguage() {

@@ -24,4 +24,15 @@ inline std::optional<WindowGeometries> windowGeometriesOn(const QRect& screen) {
       .participant = {screen.left() + own, screen.top(), screen.width() - own, screen.height()}};
 }
 
+/// The place of the participant's window on a screen without room for two: to the right of the
+/// operator's buttons, so that the one that stops stays in sight.
+/// @param screen  without the desktop's bars
+/// @return std::nullopt if it has no room for that either.
+inline std::optional<QRect> placeBesideStop(const QRect& screen) {
+  constexpr int kButtons = 500;       // [px] at the left of the operator's window
+  constexpr int kLeastOfPages = 683;  // [px]
+  if (screen.width() < kButtons + kLeastOfPages) return std::nullopt;
+  return screen.adjusted(kButtons, 0, 0, 0);
+}
+
 }  // namespace study::gui

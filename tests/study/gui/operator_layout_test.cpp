@@ -352,6 +352,18 @@ TEST(WindowGeometries, AreSideBySideOnAScreenWithRoomForTwo) {
 }
 
 TEST(FindingsDialog, ChecksAgainOnRequest) {
+TEST_F(OperatorLayout, LeavesStopInSightBesideTheParticipantsWindowOnASmallScreen) {
+  constexpr QRect kSmall(0, 0, 1366, 768);
+  const auto place = placeBesideStop(kSmall);
+  ASSERT_TRUE(place);
+  enrol();
+  show(kSmall.size());
+  const auto* stop = window_.findChild<ControlPanel*>()->stopButton();
+  EXPECT_LT(stop->mapTo(&window_, stop->rect().bottomRight()).x(), place->left());
+  EXPECT_LE(window_.participantWindow()->minimumSizeHint().width(), place->width());
+  EXPECT_FALSE(placeBesideStop({0, 0, 1024, 768})) << "no room for both";
+}
+
   using haptics::devices::CheckResult;
   using haptics::devices::Finding;
   bool isPlugged = false;
