@@ -35,6 +35,7 @@ FindingsDialog::FindingsDialog(
       *this);
   verdict_ = qobject_cast<QLabel*>(words->itemAt(0)->widget());
   verdict_->setObjectName(QStringLiteral("verdict"));
+  consequences_ = words->itemAt(1)->widget();
   table_->setFocusPolicy(Qt::NoFocus);
   auto* close = new QPushButton(isQuestion ? tr("Do not start") : tr("Close"), this);
   close->setDefault(true);
@@ -77,6 +78,7 @@ void FindingsDialog::show(const std::vector<PartFindings>& found) {
       : start_->isHidden()
           ? tr("✕  Checks that failed: %1. Fix what is marked \"✕\", then check again.").arg(failed)
           : tr("Start the session although checks failed (%1)?").arg(failed));
+  consequences_->setVisible(isBad || start_->isHidden());
   start_->setText(isBad ? tr("Start anyway") : tr("Start"));
 }
 

@@ -43,6 +43,7 @@ class FindingsDialog final : public QDialog {
   using QDialog::show;
 
   QLabel* verdict_;
+  QWidget* consequences_;  ///< of a start despite failures
   class FindingsTable* table_;
   QPushButton* start_;  ///< hidden unless the dialog asks whether to start anyway
 };
