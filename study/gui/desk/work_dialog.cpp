@@ -26,7 +26,8 @@ void collectTabStops(const QLayout& layout, std::vector<QWidget*>& stops) {
     if (item->layout() != nullptr) collectTabStops(*item->layout(), stops);
     auto* widget = item->widget();
     if (widget == nullptr) continue;
-    if (widget->focusProxy() == nullptr && (widget->focusPolicy() & Qt::TabFocus) != 0) {
+    // A field of several parts, such as a path with its button, is moved as a whole.
+    if (widget->focusProxy() != nullptr || (widget->focusPolicy() & Qt::TabFocus) != 0) {
       stops.push_back(widget);
     } else if (widget->layout() != nullptr) {
       collectTabStops(*widget->layout(), stops);
@@ -185,6 +186,7 @@ void WorkDialog::orderTabStops() {
   std::vector<QWidget*> fields;
   collectTabStops(*form_, fields);
   std::vector<QWidget*> stops;
+  collectTabStops(*scroll_->widget()->layout(), stops);
   collectTabStops(*layout(), stops);
   for (std::size_t i = 1; i < stops.size(); ++i) setTabOrder(stops[i - 1], stops[i]);
   const auto first = std::ranges::find_if(fields, [this](const QWidget* field) {
@@ -231,6 +233,21 @@ void WorkDialog::fitTo(int height) {
   resize(width(), height);
   scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
   fitTable(scroll_->viewport()->height());
+  keepOnScreen();
+}
+
+/// Moves a dialog back that has grown over an edge of the screen.
+void WorkDialog::keepOnScreen() {
+  if (!isVisible()) return;
+  const QRect room = screen()->availableGeometry();
+  const QRect frame = frameGeometry();
+  const auto inside = [](int place, int length, int from, int to) {
+    return std::max(from, std::min(place, to - length + 1));
+  };
+  const QPoint place(
+      inside(frame.left(), frame.width(), room.left(), room.right()),
+      inside(frame.top(), frame.height(), room.top(), room.bottom()));
+  if (place != frame.topLeft()) move(place);
 }
 
 void WorkDialog::widen(int width) {
@@ -257,8 +274,8 @@ void WorkDialog::showEvent(QShowEvent* event) {
     choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
   auto numbers = findChildren<QAbstractSpinBox*>();
-  numbers.removeIf([](const QAbstractSpinBox* number) {  // those beside each other share the width
-    return qobject_cast<FieldRow*>(number->parentWidget()) != nullptr;
+  numbers.removeIf([](const QAbstractSpinBox* number) {  // those beside others share the width
+    return number->minimumWidth() > 0 || qobject_cast<FieldRow*>(number->parentWidget()) != nullptr;
   });
   int widest = 0;
   for (const auto* number : numbers) widest = std::max(widest, number->sizeHint().width());

@@ -88,6 +88,7 @@ class WorkDialog : public QDialog {
   void fitTable(int room);
   int wantedHeight();
   void fitTo(int height);
+  void keepOnScreen();
 
   QScrollArea* scroll_;
   FieldForm* form_;

@@ -554,8 +554,35 @@ QStringList textsWithoutMnemonic(QWidget& window) {
   return found;
 }
 
+namespace {
+
+/// Stops of Tab that lie above the stop before them. Those in one row may be of unequal height, and
+/// columns beside each other have orders of their own.
+void collectStepsUp(QWidget& dialog, QStringList& found) {
+  std::vector<QWidget*> stops;
+  for (auto* next = dialog.nextInFocusChain(); next != &dialog; next = next->nextInFocusChain()) {
+    if (next->isVisible() && isExpectedStop(*next) && !isInner(*next)) stops.push_back(next);
+  }
+  const auto placeOf = [&](const QWidget* widget) {
+    return QRect(widget->mapTo(&dialog, QPoint(0, 0)), widget->size());
+  };
+  for (std::size_t i = 1; i < stops.size(); ++i) {
+    const QRect before = placeOf(stops[i - 1]);
+    const QRect now = placeOf(stops[i]);
+    const bool isBelowOrInRow = now.bottom() > before.top();
+    const bool isScrolledAlike = scrollAreaOf(*stops[i - 1]) == scrollAreaOf(*stops[i]);
+    const bool isInColumn = now.left() < before.right() && before.left() < now.right();
+    if (isBelowOrInRow || !isInColumn || !isScrolledAlike) continue;
+    found << QStringLiteral("Tab goes up from %1 to %2")
+                 .arg(nameOf(*stops[i - 1]), nameOf(*stops[i]));
+  }
+}
+
+}  // namespace
+
 QStringList outOfOrder(QWidget& dialog) {
   QStringList found;
+  collectStepsUp(dialog, found);
   const auto placeOf = [&](const QWidget* widget) {
     return QRect(widget->mapTo(&dialog, QPoint(0, 0)), widget->size());
   };

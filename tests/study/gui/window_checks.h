@@ -32,7 +32,8 @@ QStringList unnamedElements(QWidget& window);
 /// chooses, and those of a menu that share a letter.
 QStringList textsWithoutMnemonic(QWidget& window);
 
-/// Buttons to the right of a dialog's action, and a first focus where nothing can be entered.
+/// Buttons to the right of a dialog's action, a first focus where nothing can be entered, and stops
+/// from which Tab goes up.
 QStringList outOfOrder(QWidget& dialog);
 
 }  // namespace tests
