@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -10,12 +12,14 @@
 
 #include "base/text_table.h"
 #include "study/gui/widgets/field_form.h"
+#include "study/gui/widgets/field_row.h"
 #include "study/gui/widgets/labels.h"
 
 namespace study::gui {
 namespace {
 
 constexpr double kLargestCell = 1e9;
+constexpr double kLargestRate = 1e6;  // [Hz]
 
 /// Milliseconds in a unit of time.
 struct TimeUnit {
@@ -29,9 +33,16 @@ QWidget* beside(std::initializer_list<QWidget*> parts, QWidget* parent) {
   auto* row = new QWidget(parent);
   row->setProperty("role", QStringLiteral("plain"));
   auto* line = withoutMargins<QHBoxLayout>(row);
-  for (auto* part : parts) line->addWidget(part, qobject_cast<QLabel*>(part) == nullptr ? 1 : 0);
-  row->setFocusProxy(*parts.begin());
+  constexpr int kOfColumn = 2;  // of three parts of the width
+  for (auto* part : parts) line->addWidget(part, part == *parts.begin() ? kOfColumn : 1);
   return row;
+}
+
+/// Adds a row whose label leads to the first of the fields.
+void addRowOf(FieldForm& form, const QString& words, std::initializer_list<QWidget*> fields) {
+  auto* row = beside(fields, (*fields.begin())->parentWidget());
+  form.addRow(words, row);
+  qobject_cast<QLabel*>(form.labelForField(row))->setBuddy(*fields.begin());
 }
 
 template <typename Units>
@@ -52,9 +63,12 @@ ColumnsForm::ColumnsForm(QWidget* parent)
     : QWidget(parent),
       time_(new QComboBox(this)),
       timeUnit_(new QComboBox(this)),
+      rate_(new QDoubleSpinBox(this)),
+      unitOrRate_(new QStackedWidget(this)),
       travel_(new QComboBox(this)),
       openTravel_(new QDoubleSpinBox(this)),
       closedTravel_(new QDoubleSpinBox(this)),
+      zeroForce_(new QDoubleSpinBox(this)),
       force_(new QComboBox(this)),
       forceUnit_(new QComboBox(this)) {
   time_->setObjectName(QStringLiteral("time"));
@@ -65,33 +79,48 @@ ColumnsForm::ColumnsForm(QWidget* parent)
   travel_->setAccessibleName(tr("Column of the travel"));
   openTravel_->setAccessibleName(tr("Travel where the tool is open"));
   closedTravel_->setAccessibleName(tr("Travel where the tool is closed"));
+  zeroForce_->setAccessibleName(tr("Force without load"));
+  rate_->setAccessibleName(tr("Rows per second"));
   force_->setAccessibleName(tr("Column of the force"));
   forceUnit_->setAccessibleName(tr("Unit of the force"));
   for (const auto& unit : kTimeUnits) timeUnit_->addItem(QString::fromUtf8(unit.name));
   for (const auto* unit : kForceUnits) forceUnit_->addItem(QString::fromUtf8(unit));
-  for (auto* end : {openTravel_, closedTravel_}) {
-    end->setRange(-kLargestCell, kLargestCell);
-    end->setDecimals(3);
-    connect(end, &QDoubleSpinBox::valueChanged, this, &ColumnsForm::changed);
+  constexpr int kLeastWidth = 110;  // [px]; the largest number is far wider
+  constexpr int kOfWords = 150;
+  auto* cells = new FieldRow(this);
+  for (auto* cell : {openTravel_, closedTravel_, zeroForce_}) {
+    cell->setRange(-kLargestCell, kLargestCell);
+    cell->setDecimals(3);
+    cell->setMinimumWidth(kLeastWidth);
+    connect(cell, &QDoubleSpinBox::valueChanged, this, &ColumnsForm::changed);
   }
+  cells->add(tr("Travel, open"), openTravel_);
+  cells->add(tr("Travel, closed"), closedTravel_);
+  cells->add(tr("Force, no load"), zeroForce_);
+  rate_->setObjectName(QStringLiteral("rate"));
+  rate_->setRange(0.0, kLargestRate);
+  rate_->setSuffix(QStringLiteral(" Hz"));
+  rate_->setMinimumWidth(kOfWords);
+  rate_->setSpecialValueText(tr("rows per second?"));
+  unitOrRate_->addWidget(timeUnit_);
+  unitOrRate_->addWidget(rate_);
+  unitOrRate_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   auto* form = withoutMargins<FieldForm>();
   form->addRow(quietLabel(
       tr("The punch's recorder did not write this table. Say which of its columns are what."),
       this));
-  form->addRow(tr("Time"), beside({time_, timeUnit_}, this));
-  form->addRow(
-      tr("Travel"),
-      beside(
-          {travel_,
-           bodyLabel(tr("open"), this),
-           openTravel_,
-           bodyLabel(tr("closed"), this),
-           closedTravel_},
-          this));
-  form->addRow(tr("Force"), beside({force_, forceUnit_}, this));
+  addRowOf(*form, tr("Time column"), {time_, unitOrRate_});
+  form->addRow(tr("Travel column"), travel_);
+  addRowOf(*form, tr("Force column"), {force_, forceUnit_});
+  form->addRow(QString(), cells);
   setLayout(form);
+  connect(time_, &QComboBox::currentIndexChanged, this, &ColumnsForm::showUnitOrRate);
+  connect(rate_, &QDoubleSpinBox::valueChanged, this, &ColumnsForm::changed);
   connect(travel_, &QComboBox::currentIndexChanged, this, &ColumnsForm::measureTravel);
   for (auto* box : {time_, timeUnit_, travel_, force_, forceUnit_}) {
+    constexpr int kLettersOfAHeading = 12;
+    box->setMinimumContentsLength(kLettersOfAHeading);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(box, &QComboBox::currentIndexChanged, this, &ColumnsForm::changed);
   }
 }
@@ -107,9 +136,15 @@ bool ColumnsForm::offerColumnsOf(const std::string& file) {
   if (lines.size() < 2) return false;
   separator_ = base::separatorOf(lines.front().text);
   const auto heads = base::cellsOf(lines.front().text, separator_);
-  if (heads.size() < 3) return false;
-  rows_.clear();
-  for (const auto& line : lines) rows_.push_back(base::cellsOf(line.text, separator_));
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& line : lines) rows.push_back(base::cellsOf(line.text, separator_));
+  const auto isRow = [&](const std::vector<std::string>& cells) {
+    return std::ranges::count_if(cells, [&](const auto& cell) {
+             return base::numberIn(cell, separator_).has_value();
+           }) >= 2;
+  };
+  if (heads.size() < 2 || std::ranges::none_of(rows, isRow)) return false;
+  rows_ = std::move(rows);
   const bool hasHeadings = std::ranges::none_of(
       heads, [&](const auto& cell) { return base::numberIn(cell, separator_).has_value(); });
   headingLine_ = hasHeadings ? lines.front().number : 0;
@@ -120,11 +155,12 @@ bool ColumnsForm::offerColumnsOf(const std::string& file) {
       box->addItem(hasHeadings ? QString::fromStdString(heads[i]) : tr("Column %1").arg(i + 1));
     }
   }
-  std::size_t time = 0;
+  time_->addItem(tr("none: evenly spaced rows"));
+  std::size_t time = heads.size() == 2 ? heads.size() : 0;
   std::size_t force = heads.size() - 1;
   for (std::size_t i = 0; i < heads.size(); ++i) {
     const auto unit = base::columnHeadingOf(heads[i]).unit;
-    if (const int place = unitIndexOf(kTimeUnits, unit); place >= 0) {
+    if (const int place = unitIndexOf(kTimeUnits, unit); place >= 0 && heads.size() > 2) {
       time = i;
       timeUnit_->setCurrentIndex(place);
     }
@@ -139,7 +175,20 @@ bool ColumnsForm::offerColumnsOf(const std::string& file) {
   travel_->setCurrentIndex(static_cast<int>(travel));
   force_->setCurrentIndex(static_cast<int>(force));
   measureTravel();
+  showUnitOrRate();
   return true;
+}
+
+bool ColumnsForm::hasTime() const {
+  return time_->currentIndex() < time_->count() - 1;
+}
+
+bool ColumnsForm::lacksRate() const {
+  return !hasTime() && rate_->value() == rate_->minimum();
+}
+
+void ColumnsForm::showUnitOrRate() {
+  unitOrRate_->setCurrentWidget(hasTime() ? static_cast<QWidget*>(timeUnit_) : rate_);
 }
 
 void ColumnsForm::measureTravel() {
@@ -168,13 +217,15 @@ haptics::recordings::RecordingColumns ColumnsForm::columns() const {
   };
   const auto unit = forceUnit_->currentText().toStdString();
   return {
-      .time = chosen(*time_),
+      .time = hasTime() ? std::optional(chosen(*time_)) : std::nullopt,
       .millisecondsPerTime =
           kTimeUnits[static_cast<std::size_t>(timeUnit_->currentIndex())].milliseconds,
+      .rate = rate_->value(),
       .travel = chosen(*travel_),
       .open = openTravel_->value(),
       .closed = closedTravel_->value(),
       .force = chosen(*force_),
+      .forceZero = zeroForce_->value(),
       .forceFactor = haptics::recordings::newtonsIn(unit),
       .skippedLines = headingLine_,
       .separator = separator_};

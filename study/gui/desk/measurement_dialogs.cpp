@@ -122,8 +122,17 @@ std::optional<haptics::recordings::RecordingColumns> ImportCutDialog::columns() 
   return columnsForm_->isVisibleTo(this) ? std::optional(columnsForm_->columns()) : std::nullopt;
 }
 
+bool ImportCutDialog::lacksRate() const {
+  const bool isAsked = columns_->path().isEmpty() && columnsForm_->isVisibleTo(this);
+  return isAsked && columnsForm_->lacksRate();
+}
+
 std::optional<RecordingPreview> ImportCutDialog::readPreview() {
   const auto file = recording_->path().toStdString();
+  if (lacksRate()) {
+    showOutcome(Outcome::Warning, tr("This table has no time: how many rows has a second?"));
+    return std::nullopt;
+  }
   try {
     return previewOf(file, columns());
   } catch (const std::exception& error) {
@@ -186,6 +195,7 @@ void ImportCutDialog::preview() {
 void ImportCutDialog::updateButton() {
   setDisabledReason(
       recording_->path().isEmpty() ? tr("Choose a recording.")
+      : lacksRate()                ? tr("Give the rows per second.")
       : !isImportPossible_         ? tr("No cut can be taken from this recording.")
       : target_->path().isEmpty()  ? tr("Choose a new file.")
                                    : QString());

@@ -28,6 +28,7 @@ class ImportCutDialog final : public WorkDialog {
   /// did not write it.
   void showRecording();
   std::optional<RecordingPreview> readPreview();
+  bool lacksRate() const;
   std::optional<haptics::recordings::RecordingColumns> columns() const;
   /// Shows the cut that an import would make of the chosen recording.
   void preview();

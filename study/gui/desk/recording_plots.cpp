@@ -316,7 +316,7 @@ CutPlot::CutPlot(QWidget* parent)
   plot_->setMinimumHeight(heightOfPlotOn(*screen()));
   plot_->setAccessibleName(tr("Force over travel"));
   alignAxes(*plot_->axisRect(), 5);
-  plot_->xAxis->setLabel(tr("travel: 0 is open, 10 is closed, more is pressed on"));
+  plot_->xAxis->setLabel(tr("travel (0 is open, 10 is closed)"));
   plot_->yAxis->setLabel(tr("force [N]"));
   plot_->legend->setVisible(true);
   plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);

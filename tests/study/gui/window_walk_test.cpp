@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -22,6 +23,7 @@
 #include <QTest>
 
 #include "haptics/engine/built_in_models.h"
+#include "haptics/recordings/recording.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/cohort/simulated_participant.h"
@@ -53,6 +55,7 @@
 #include "study/gui/widgets/studio_settings.h"
 #include "study/gui/widgets/theme.h"
 #include "study/words/words.h"
+#include "tests/haptics/recordings/made_recording.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/gui/window_checks.h"
@@ -93,6 +96,7 @@ class Windows {
         {"HomeWindow", [this] { return home(); }},
         {"HomeWindow_Empty", [] { return emptyHome(); }},
         {"ImportCutDialog", [] { return make<ImportCutDialog>(); }},
+        {"ImportCutDialog_Table", [this] { return importOfTable(); }},
         {"KeyDialog", [this] { return make<KeyDialog>(summary()); }},
         {"MessageBox", [] { return message(); }},
         {"MessageBox_Question",
@@ -193,6 +197,18 @@ class Windows {
   static Opened emptyHome() {
     studioSettings().clear();
     return make<HomeWindow>();
+  }
+
+  /// Of a table that the punch's recorder did not write.
+  Opened importOfTable() {
+    std::string table = "t_ms\tLoad cell [g]\tHandle [deg]\n";
+    for (const auto& row : haptics::recordings::readRecording(tests::textOf({})).rows) {
+      table += fmt::format("{}\t{}\t{}\n", row.time, row.reading, 48.0 - row.travel);
+    }
+    auto opened = make<ImportCutDialog>();
+    opened.window->findChild<PathField*>(QStringLiteral("recording"))
+        ->setPath(QString::fromStdString(folder_.write("table.txt", table)));
+    return opened;
   }
 
   static Opened selfTest() {
@@ -400,6 +416,7 @@ INSTANTIATE_TEST_SUITE_P(
         "HomeWindow",
         "HomeWindow_Empty",
         "ImportCutDialog",
+        "ImportCutDialog_Table",
         "KeyDialog",
         "MessageBox",
         "MessageBox_Question",

@@ -1,11 +1,14 @@
+#include <algorithm>
 #include <filesystem>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTableWidget>
@@ -177,6 +180,51 @@ TEST_F(MeasurementTest, AsksForTheColumnsOfAnotherTableAndImportsIt) {
   const auto line = press(dialog);
   EXPECT_NE(line.find("Cut saved"), std::string::npos) << line;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "cut.json"));
+}
+
+/// A table of cuts as another laboratory may record them.
+std::string tableOfCuts(bool hasTime) {
+  const auto made = haptics::recordings::readRecording(tests::textOf({}));
+  std::string table = hasTime ? "t_ms\tLoad cell [g]\tHandle [deg]\n" : "Load cell [g]\tHandle\n";
+  for (const auto& row : made.rows) {
+    if (hasTime) table += fmt::format("{}\t", row.time);
+    table += fmt::format("{}\t{}\n", row.reading / 2.0, 48.0 - 4.2 * row.travel);
+  }
+  return table;
+}
+
+TEST_F(MeasurementTest, AsksForTheRateOfATableWithoutTime) {
+  ImportCutDialog dialog;
+  dialog.show();
+  set(dialog, "recording", folder_.write("table.txt", tableOfCuts(false)));
+  set(dialog, "target", folder_ / "cut.json");
+  auto* form = dialog.findChild<ColumnsForm*>();
+  ASSERT_TRUE(form->isVisible());
+  const auto* obstacle = dialog.findChild<QLabel*>(QStringLiteral("obstacle"));
+  EXPECT_EQ(obstacle->text(), QStringLiteral("Give the rows per second."));
+  auto* rate = form->findChild<QDoubleSpinBox*>(QStringLiteral("rate"));
+  ASSERT_TRUE(rate->isVisible()) << "in place of the unit of the time";
+  rate->setValue(333.0);
+  const auto& preview = dialog.findChild<RecordingPlot*>()->preview();
+  ASSERT_TRUE(preview.has_value());
+  EXPECT_NEAR(preview->survey.sampling.rate, 333.0, 0.5);
+  EXPECT_TRUE(press(dialog).find("Cut saved") != std::string::npos);
+}
+
+TEST_F(MeasurementTest, StaysOnTheScreenAsItGrows) {
+  ImportCutDialog dialog;
+  dialog.show();
+  const QRect room = dialog.screen()->availableGeometry();
+  dialog.resize(dialog.minimumSizeHint());
+  dialog.move(room.bottomRight() - QPoint(dialog.width() - 1, dialog.height() - 1));
+  const auto before = dialog.geometry();
+  set(dialog, "recording", folder_.write("table.txt", tableOfCuts(true)));
+  QTest::qWait(1);
+  const QRect frame = dialog.frameGeometry();
+  EXPECT_GT(frame.height(), before.height());
+  EXPECT_LE(frame.bottom(), room.bottom());
+  EXPECT_GE(frame.top(), room.top());
+  EXPECT_EQ(frame.left(), std::max(room.left(), room.right() - frame.width() + 1));
 }
 
 TEST_F(MeasurementTest, SaysThatARecordingIsTooLargeToBeRead) {
