@@ -282,20 +282,20 @@ QStringList cutOffCells(const QTableView& table) {
   return found;
 }
 
+QRect placeOf(const QWidget* widget) {
+  return {widget->mapTo(widget->window(), QPoint(0, 0)), widget->size()};
+}
+
 /// Whether the name of a field is level with its middle, if it is beside a field of one line.
 bool isLevelWithItsField(const QLabel& label) {
   constexpr int kRounding = 2;  // [px]
   constexpr int kMostLines = 3;
   const auto* field = label.buddy();
   if (field == nullptr || field->height() > kMostLines * label.fontMetrics().height()) return true;
-  const auto middleOf = [&](const QWidget& widget) {
-    return widget.mapTo(label.window(), widget.rect().center()).y();
-  };
-  const QPoint own = label.mapTo(label.window(), QPoint(0, 0));
-  const QPoint other = field->mapTo(label.window(), QPoint(0, 0));
-  const bool isBeside =
-      own.y() < other.y() + field->height() && other.y() < own.y() + label.height();
-  return !isBeside || std::abs(middleOf(label) - middleOf(*field)) <= kRounding;
+  const QRect own = placeOf(&label);
+  const QRect other = placeOf(field);
+  const bool isBeside = own.top() <= other.bottom() && other.top() <= own.bottom();
+  return !isBeside || std::abs(own.center().y() - other.center().y()) <= kRounding;
 }
 
 bool isControlOrText(const QWidget& widget) {
@@ -563,9 +563,6 @@ void collectStepsUp(QWidget& dialog, QStringList& found) {
   for (auto* next = dialog.nextInFocusChain(); next != &dialog; next = next->nextInFocusChain()) {
     if (next->isVisible() && isExpectedStop(*next) && !isInner(*next)) stops.push_back(next);
   }
-  const auto placeOf = [&](const QWidget* widget) {
-    return QRect(widget->mapTo(&dialog, QPoint(0, 0)), widget->size());
-  };
   for (std::size_t i = 1; i < stops.size(); ++i) {
     const QRect before = placeOf(stops[i - 1]);
     const QRect now = placeOf(stops[i]);
@@ -583,9 +580,6 @@ void collectStepsUp(QWidget& dialog, QStringList& found) {
 QStringList outOfOrder(QWidget& dialog) {
   QStringList found;
   collectStepsUp(dialog, found);
-  const auto placeOf = [&](const QWidget* widget) {
-    return QRect(widget->mapTo(&dialog, QPoint(0, 0)), widget->size());
-  };
   const QWidget* action = nullptr;
   for (const auto* button : dialog.findChildren<QPushButton*>()) {
     const auto role = button->property("role").toString();
