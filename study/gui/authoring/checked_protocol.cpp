@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <QDir>
+#include <QFileInfo>
 #include <QRegularExpression>
 #include <QStringList>
 
@@ -96,6 +98,16 @@ std::string CheckedProtocol::verdict() const {
 
 Mark CheckedProtocol::mark() const noexcept {
   return !loaded ? Mark::Bad : warnings() > 0 ? Mark::Warning : Mark::Good;
+}
+
+QStringList CheckedProtocol::files() const {
+  const QFileInfo file(QString::fromStdString(source));
+  QStringList all{file.absoluteFilePath()};
+  if (!loaded) return all;
+  for (const auto& companion : loaded->files) {
+    all << file.absoluteDir().filePath(QString::fromStdString(companion.name));
+  }
+  return all;
 }
 
 std::vector<Note> CheckedProtocol::notes() const {

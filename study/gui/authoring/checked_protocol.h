@@ -30,6 +30,8 @@ struct CheckedProtocol {
   /// "Valid, 9 warnings", or that it has errors and cannot be used yet.
   std::string verdict() const;
   Mark mark() const noexcept;
+  /// The file of the protocol and those that it names; absolute paths. For a file only.
+  QStringList files() const;
   /// What it has, if it can be used, and all problems: "Consent › introduction: …", with what to do
   /// below each.
   std::vector<Note> notes() const;

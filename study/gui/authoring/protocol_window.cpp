@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -190,14 +189,7 @@ bool ProtocolWindow::isShipped() const {
 }
 
 QStringList ProtocolWindow::filesToWatch() const {
-  if (isShipped()) return {};
-  const QFileInfo file(source_);
-  QStringList files{file.absoluteFilePath()};
-  if (!checked_.loaded) return files;
-  for (const auto& companion : checked_.loaded->files) {
-    files << file.absoluteDir().filePath(QString::fromStdString(companion.name));
-  }
-  return files;
+  return isShipped() ? QStringList() : checked_.files();
 }
 
 void ProtocolWindow::reload() {

@@ -40,21 +40,25 @@ AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Changed protocol"), file_);
   addReason(tr("Reason for the change"), [this] { updateButton(); });
   connect(file_, &PathField::pathChanged, this, &AmendDialog::check);
+  connect(&watch_, &FileWatch::changed, this, &AmendDialog::check);
   check();
 }
 
 void AmendDialog::check() {
   checked_ = {};
+  isDone_ = false;
   clear();
   const auto path = file_->path().toStdString();
   if (!path.empty()) {
     checked_ = checkProtocol(path);
     showOutcome(checked_.mark(), QString::fromStdString(checked_.verdict()), checked_.notes());
   }
+  watch_.watch(path.empty() ? QStringList() : checked_.files());
   updateButton();
 }
 
 void AmendDialog::updateButton() {
+  if (isDone_) return runButton().setEnabled(false);
   setDisabledReason(
       file_->path().isEmpty() ? tr("Choose the changed protocol.")
       : !checked_.loaded      ? tr("The protocol has errors.")
@@ -71,9 +75,13 @@ void AmendDialog::work() {
     if (!isSame) study.amend(protocol, reason());
   });
   if (!isDone) return;
-  runButton().setEnabled(false);
+  isDone_ = true;
+  updateButton();
   if (isSame) {
-    return showOutcome(Outcome::Warning, tr("This is the protocol that the study uses already."));
+    return showOutcome(
+        Outcome::Warning,
+        tr("This is the protocol that the study uses already."),
+        {{tr("When the file is changed, it is read again.")}});
   }
   showOutcome(Outcome::Good, tr("Protocol changed. New sessions use it from now on."));
 }

@@ -8,6 +8,7 @@
 #include <QSpinBox>
 
 #include "study/gui/authoring/checked_protocol.h"
+#include "study/gui/authoring/file_watch.h"
 #include "study/gui/desk/study_summary.h"
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"
@@ -16,7 +17,8 @@
 
 namespace study::gui {
 
-/// Amends the protocol of a study with a protocol file, which is checked when it is chosen.
+/// Amends the protocol of a study with a protocol file, which is checked when it is chosen and
+/// again whenever it changes.
 class AmendDialog final : public WorkDialog {
   Q_OBJECT
 
@@ -32,6 +34,8 @@ class AmendDialog final : public WorkDialog {
 
   std::string folder_;
   CheckedProtocol checked_;
+  FileWatch watch_;
+  bool isDone_ = false;  ///< with the file as it is: nothing is left to be changed
   PathField* file_;
 };
 

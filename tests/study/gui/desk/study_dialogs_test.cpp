@@ -313,6 +313,30 @@ TEST_F(StudyDialogsTest, AmendmentChangesTheProtocolOfNewSessions) {
   tests::photographInAllThemes(dialog, QStringLiteral("amend"));
 }
 
+TEST_F(StudyDialogsTest, AmendmentReadsItsFileAgainWhenItChanges) {
+  questionnaires::Problems problems;
+  const auto protocol = *protocols::loadProtocolFile("two-devices", problems);
+  SystemClock clock;
+  Study::create(out_ / "other", protocol, clock, 7);
+  const auto file = out_.write("same.json", protocol.text);
+  AmendDialog dialog(summaryOf(out_ / "other"));
+  auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
+  auto* reason = dialog.findChild<QLineEdit*>(QStringLiteral("reason"));
+  reason->setText(QStringLiteral("a new title"));
+  press(dialog, file);
+  EXPECT_TRUE(outcome(dialog).contains(QStringLiteral("uses already")));
+  reason->setText(QStringLiteral("another reason"));
+  EXPECT_FALSE(go->isEnabled()) << "the file is the same as before";
+  out_.write("same.json", "{");
+  QTRY_VERIFY(outcome(dialog).contains(QStringLiteral("Not valid yet")));
+  auto text = protocol.text;
+  const std::string title = "\"title\": \"";
+  text.insert(text.find(title) + title.size(), "Changed: ");
+  out_.write("same.json", text);
+  QTRY_VERIFY(outcome(dialog).contains(QStringLiteral("Valid")));
+  EXPECT_TRUE(go->isEnabled());
+}
+
 TEST_F(StudyDialogsTest, SayWhyTheyCannotStart) {
   const auto expectObstacle = [](QDialog& dialog, const char* words) {
     EXPECT_FALSE(dialog.findChild<QPushButton*>(QStringLiteral("go"))->isEnabled()) << words;
