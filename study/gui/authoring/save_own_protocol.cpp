@@ -32,35 +32,37 @@ void writeProtocol(const QString& file, const std::string& text) {
   QSaveFile saved(file);  // replaces the file at once, or leaves it as it is
   const auto bytes = QByteArray::fromStdString(text);
   if (!saved.open(QIODevice::WriteOnly) || saved.write(bytes) != bytes.size() || !saved.commit()) {
-    throw UserError(
-        (QObject::tr("Could not save %1: ").arg(file) + saved.errorString()).toStdString());
+    throw UserError(QObject::tr("Could not save %1: %2. Choose another folder or name.")
+                        .arg(file, saved.errorString())
+                        .toStdString());
   }
 }
 
 QString saveAsOwn(const protocols::LoadedProtocol& shipped, QWidget* parent) {
-  const auto title = askForText(
-      parent, MessageTopic::OwnTitle, {}, QString::fromStdString(shipped.protocol.study.title));
-  if (!title) return {};
-  const auto name = asId(*title).isEmpty() ? QStringLiteral("my-protocol") : asId(*title);
-  auto file = QFileDialog::getSaveFileName(
-      parent,
-      QObject::tr("Save as a protocol of your own"),
-      QDir(protocolFolder()).filePath(name + QStringLiteral(".json")),
-      QObject::tr("Protocols (*.json)"));
-  if (file.isEmpty()) return {};
-  if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".json");
-  const auto id = asId(QFileInfo(file).completeBaseName());
-  const bool isSaved = attempt(parent, MessageTopic::OwnProtocolNotSaved, [&] {
-    writeProtocol(
-        file,
-        protocols::withName(
-            shipped.text,
-            (id.isEmpty() ? name : id).toStdString(),
-            title->trimmed().toStdString()));
-  });
-  if (!isSaved) return {};
-  rememberProtocolFolder(file);
-  return file;
+  auto title = QString::fromStdString(shipped.protocol.study.title);
+  for (;;) {  // after a failure with the title that was typed
+    const auto typed = askForText(parent, MessageTopic::OwnTitle, {}, title);
+    if (!typed) return {};
+    title = typed->trimmed();
+    const auto name = asId(title).isEmpty() ? QStringLiteral("my-protocol") : asId(title);
+    auto file = QFileDialog::getSaveFileName(
+        parent,
+        QObject::tr("Save as a protocol of your own"),
+        QDir(protocolFolder()).filePath(name + QStringLiteral(".json")),
+        QObject::tr("Protocols (*.json)"));
+    if (file.isEmpty()) return {};
+    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".json");
+    const auto id = asId(QFileInfo(file).completeBaseName());
+    const bool isSaved = attempt(parent, MessageTopic::OwnProtocolNotSaved, [&] {
+      writeProtocol(
+          file,
+          protocols::withName(
+              shipped.text, (id.isEmpty() ? name : id).toStdString(), title.toStdString()));
+    });
+    if (!isSaved) continue;
+    rememberProtocolFolder(file);
+    return file;
+  }
 }
 
 }  // namespace study::gui

@@ -13,6 +13,7 @@
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/fitting_scroll.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/session/session_length.h"
 
 namespace study::gui {
@@ -82,6 +83,12 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
   connect(languages_, &QComboBox::currentIndexChanged, this, &TextsDialog::showLanguage);
   connect(reason_, &QLineEdit::textChanged, this, &TextsDialog::showProgress);
   showProgress();
+  textsAtFirst_ = texts();
+}
+
+void TextsDialog::reject() {
+  const bool isTyped = texts() != textsAtFirst_ || !reason().isEmpty();
+  if (!isTyped || ask(this, MessageTopic::DiscardTexts)) QDialog::reject();
 }
 
 void TextsDialog::addFields(const protocols::LoadedProtocol& loaded, QFormLayout& form) {

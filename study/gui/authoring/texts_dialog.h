@@ -35,6 +35,10 @@ class TextsDialog final : public QDialog {
   questionnaires::BlankTexts texts() const;
   QString reason() const { return reason_->text().trimmed(); }
 
+ public slots:
+  /// Asks before what was typed is lost.
+  void reject() override;
+
  private:
   void addFields(const protocols::LoadedProtocol& loaded, QFormLayout& form);
   void showLanguage();
@@ -42,7 +46,8 @@ class TextsDialog final : public QDialog {
   void showProgress();
 
   questionnaires::BlankTexts protocolTexts_;
-  std::map<std::string, QLineEdit*> fields_;                              ///< by key
+  questionnaires::BlankTexts textsAtFirst_;   ///< of the form as it opens
+  std::map<std::string, QLineEdit*> fields_;  ///< by key
   std::map<std::string, std::map<std::string, std::string>> typedTexts_;  ///< by key and language
   std::string shownLanguage_ = "en";  ///< the language of the fields
   QComboBox* languages_;

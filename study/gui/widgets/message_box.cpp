@@ -139,11 +139,11 @@ void MessageBox::addField(const MessageRow& row) {
       size.setRetainSizeWhenHidden(
           true);  // the box does not change its height with the first letter
       disabledReason_->setSizePolicy(size);
-      form->addRow(QString(), disabledReason_);
     }
     connect(line_, &QLineEdit::textChanged, this, &MessageBox::updateButtons);
   }
   column_->addLayout(form);
+  if (disabledReason_ != nullptr) column_->addWidget(disabledReason_);
 }
 
 void MessageBox::addButtons(const MessageRow& row) {

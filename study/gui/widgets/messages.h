@@ -46,6 +46,7 @@ enum class MessageTopic {
   // Questions that are answered with a button.
   BoneBesideParticipant,
   CloseWithLoss,
+  DiscardTexts,
   GoOnVirtually,
   PilotSessionHasBlanks,
   // Questions with a text to enter or a choice to make.

@@ -359,6 +359,28 @@ TEST_F(HomeTest, ShowsHowFarEachCohortHasComeAndWhatWasWritten) {
   tests::photographInAllThemes(home, QStringLiteral("home-progress"));
 }
 
+TEST_F(HomeTest, AsksBeforeTypedTextsAreDiscarded) {
+  questionnaires::Problems problems;
+  TextsDialog form(*protocols::loadProtocolFile("punch-face-validity", problems));
+  form.show();
+  form.reject();
+  EXPECT_FALSE(form.isVisible()) << "nothing was typed";
+  form.show();
+  form.findChild<QLineEdit*>(QStringLiteral("text-institution"))->setText(QStringLiteral("Lab"));
+  const auto answer = [&](const char* button) {
+    QTimer::singleShot(0, &form, [button] {
+      QApplication::activeModalWidget()
+          ->findChild<QPushButton*>(QString::fromUtf8(button))
+          ->click();
+    });
+    QTest::keyClick(&form, Qt::Key_Escape);
+  };
+  answer("safe");
+  EXPECT_TRUE(form.isVisible());
+  answer("action");
+  EXPECT_FALSE(form.isVisible());
+}
+
 TEST_F(HomeTest, FillsInTheTextsOfAStudyOnce) {
   const QString folder = makeStudy("one");
   HomeWindow home;
