@@ -311,6 +311,11 @@ CutPlot::CutPlot(QWidget* parent)
       plot_(new QCustomPlot(this)),
       summary_(new QWidget(this)),
       change_(bodyLabel({}, summary_)),
+      noYield_(quietLabel(
+          tr("A yield has a load of 3 N or more. In a recording a quarter of it is left while the "
+             "tool closes further, otherwise the finger may have left the handle; without a yield "
+             "the opening is the largest force. A trial marks a yield also where less is left."),
+          summary_)),
       landmarks_(landmarkTable(summary_)) {
   change_->setObjectName(QStringLiteral("cut-change"));
   plot_->setMinimumHeight(heightOfPlotOn(*screen()));
@@ -338,6 +343,8 @@ CutPlot::CutPlot(QWidget* parent)
   auto* words = withoutMargins<QVBoxLayout>(summary_);
   words->addWidget(change_);
   words->addWidget(landmarks_);
+  words->addWidget(noYield_);
+  noYield_->setObjectName(QStringLiteral("no-yield"));
 }
 
 void CutPlot::setShown(bool isShown) {
@@ -369,6 +376,7 @@ void CutPlot::show(
   change_->setText(
       (report.isAltered() ? QStringLiteral("!  ") : QString()) + describeChange(imported));
   fill(*landmarks_, cut.landmarks);
+  noYield_->setVisible(!cut.landmarks.yield);
   paint();
 }
 

@@ -90,6 +90,7 @@ class CutPlot final : public QWidget {
   QCustomPlot* plot_;
   QWidget* summary_;
   QLabel* change_;
+  QLabel* noYield_;  ///< why a cut may have no yield
   QTableWidget* landmarks_;
 };
 

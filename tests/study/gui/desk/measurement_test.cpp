@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -123,6 +125,7 @@ TEST_F(MeasurementTest, WarnsBeforeAndAfterSavingACutThatLosesItsPeak) {
   ASSERT_EQ(landmarks->rowCount(), 4);
   EXPECT_EQ(landmarks->item(1, 0)->text(), QStringLiteral("Yield"));
   EXPECT_NEAR(landmarks->item(1, 2)->text().toDouble(), 4.4, 0.05);
+  EXPECT_FALSE(dialog.findChild<QLabel*>(QStringLiteral("no-yield"))->isVisible());
   slope->setValue(1.0);
   EXPECT_TRUE(change->text().startsWith(u'!')) << change->text().toStdString();
   const auto line = press(dialog);
@@ -209,6 +212,26 @@ TEST_F(MeasurementTest, AsksForTheRateOfATableWithoutTime) {
   ASSERT_TRUE(preview.has_value());
   EXPECT_NEAR(preview->survey.sampling.rate, 333.0, 0.5);
   EXPECT_TRUE(press(dialog).find("Cut saved") != std::string::npos);
+}
+
+TEST_F(MeasurementTest, SaysWhyACutHasNoYield) {
+  std::string table = "t_s;jaw;load_N\n";
+  constexpr int kRows = 500;  // of a cut, 2 ms each
+  for (int row = 0; row < 3 * kRows; ++row) {
+    const double phase = 2.0 * std::numbers::pi * row / kRows;
+    const double travel = 5.0 - 5.0 * std::cos(phase);
+    const double closing = travel < 6.5 ? 3.0 * std::max(0.0, travel - 3.0)
+                                        : std::max(1.5, 10.5 - 9.0 * (travel - 6.5));
+    const double force = std::sin(phase) > 0.0 ? closing : 0.0;
+    table += fmt::format("{};{};{}\n", 2e-3 * row, travel, force);
+  }
+  ImportCutDialog dialog;
+  dialog.show();
+  set(dialog, "recording", folder_.write("table.csv", table));
+  const auto* landmarks = dialog.findChild<QTableWidget*>(QStringLiteral("cut-landmarks"));
+  ASSERT_EQ(landmarks->rowCount(), 4);
+  EXPECT_EQ(landmarks->item(1, 2)->text(), QStringLiteral("–")) << "a seventh of the load is left";
+  EXPECT_TRUE(dialog.findChild<QLabel*>(QStringLiteral("no-yield"))->isVisible());
 }
 
 TEST_F(MeasurementTest, StaysOnTheScreenAsItGrows) {
