@@ -191,7 +191,8 @@ void HomeWindow::makeMenus() {
   study->addAction(tr("&New study…"), QKeySequence::New, this, &HomeWindow::makeStudy);
   study->addAction(tr("&Open a study…"), QKeySequence::Open, this, &HomeWindow::chooseFolder);
   study->addAction(tr("Check &protocol…"), this, &HomeWindow::askForProtocol);
-  study->addAction(tr("&Remove from list"), this, &HomeWindow::removeSelectedFromList);
+  removeAction_ =
+      study->addAction(tr("&Remove from list"), this, &HomeWindow::removeSelectedFromList);
   study->addAction(tr("Re&fresh"), QKeySequence::Refresh, this, &HomeWindow::refresh);
   study->addSeparator();
   study->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
@@ -316,6 +317,7 @@ void HomeWindow::refresh() {
   welcome_->setVisible(recent.empty());
   listColumn_->setVisible(!recent.empty());
   panel_->setVisible(!recent.empty());
+  removeAction_->setEnabled(!recent.empty());
   readTimer_.start();
   select(QString::fromStdString(folder));
 }
@@ -454,17 +456,16 @@ void HomeWindow::chooseFolder() {
 }
 
 void HomeWindow::askForProtocol() {
-  QStringList names{tr("A file of my own…")};
+  QStringList names;
   const auto shipped = protocols::libraryProtocols();
   for (const auto& name : shipped) {
     names << tr("%1 (ships with the program)").arg(QString::fromStdString(name));
   }
+  names << tr("A file of my own…");  // the last one, as in a new study
   const auto chosen = askForChoice(this, MessageTopic::WhichProtocol, names);
   if (!chosen) return;
-  if (*chosen > 0) {
-    const auto index = static_cast<std::size_t>(*chosen) - 1;
-    return openProtocolWindow(QString::fromStdString(shipped[index]));
-  }
+  const auto index = static_cast<std::size_t>(*chosen);
+  if (index < shipped.size()) return openProtocolWindow(QString::fromStdString(shipped[index]));
   const QString file = QFileDialog::getOpenFileName(
       this, tr("A protocol"), protocolFolder(), tr("Protocols (*.json)"));
   if (file.isEmpty()) return;

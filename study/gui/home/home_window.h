@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include <QAction>
 #include <QBoxLayout>
 #include <QMainWindow>
 #include <QTimer>
@@ -84,8 +85,9 @@ class HomeWindow final : public QMainWindow {
     bool isRead = false;
   };
   std::vector<Row> studies_;  ///< in the order of the list
-  QTimer readTimer_;          ///< reads the next visible row that was not read yet
-  std::string language_;      ///< of the present contents
+  QAction* removeAction_ = nullptr;
+  QTimer readTimer_;      ///< reads the next visible row that was not read yet
+  std::string language_;  ///< of the present contents
   QBoxLayout* columns_ = nullptr;
   QWidget* listColumn_ = nullptr;  ///< the list, with what needs no chosen study
   StudyList* list_ = nullptr;

@@ -13,6 +13,7 @@ enum class MessageTopic {
   DataNotExported,
   DevicesNotChecked,
   DocumentNotMade,
+  FileNotOpened,
   FileNotShown,
   KeyNotRead,
   KeyNotSaved,

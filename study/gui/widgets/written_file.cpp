@@ -16,8 +16,11 @@ QString shownPath(const QString& path) {
   return path.startsWith(home) ? QStringLiteral("~/") + path.mid(home.size()) : path;
 }
 
-void openOnDesktop(const QString& path) {
-  QDesktopServices::openUrl(QUrl::fromLocalFile(path));
+void openOnDesktop(const QString& path, QWidget* parent) {
+  if (QDesktopServices::openUrl(QUrl::fromLocalFile(path))) return;
+  auto* box = new MessageBox(MessageTopic::FileNotOpened, {shownPath(path)}, {}, parent);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
 }
 
 void showWrittenFileMessage(QWidget* parent, const QString& path, const QString& more) {
@@ -42,9 +45,9 @@ WrittenFile::WrittenFile(QWidget* parent) : QWidget(parent) {
   layout->addWidget(open);
   layout->addWidget(folder);
   layout->addStretch(1);
-  connect(open, &QPushButton::clicked, this, [this] { openOnDesktop(path_); });
+  connect(open, &QPushButton::clicked, this, [this] { openOnDesktop(path_, this); });
   connect(folder, &QPushButton::clicked, this, [this] {
-    openOnDesktop(QFileInfo(path_).absolutePath());
+    openOnDesktop(QFileInfo(path_).absolutePath(), this);
   });
   show(QString());
 }

@@ -9,7 +9,7 @@ namespace study::gui {
 QString shownPath(const QString& path);
 
 /// Opens a file or a folder in the program that the desktop has for it.
-void openOnDesktop(const QString& path);
+void openOnDesktop(const QString& path, QWidget* parent);
 
 /// Shows a message that @p path was written, with buttons that open it or its folder. Returns at
 /// once. @param more  shown below it
