@@ -161,9 +161,13 @@ std::string keyStatusText(Study& study) {
   if (study.events().commitment().empty() || study.protocol().protocol.isOpenLabel) return {};
   if (!study.isSealed()) return "open: a version of palpate made it that did not seal conditions";
   if (hasOnlyCopyOfKey(study)) return "sealed; this account has the only key: save a copy of it";
-  const std::string passphrase = study.hasPassphrase() ? ", or a passphrase opens it" : "";
-  return study.hasKey() ? "sealed; this account has the key" + passphrase
-                        : "sealed; this account does not have the key" + passphrase;
+  const bool hasPassphrase = study.hasPassphrase();
+  if (study.hasKey()) {
+    return hasPassphrase ? "sealed; this account has the key, or a passphrase opens it"
+                         : "sealed; this account has the key";
+  }
+  return hasPassphrase ? "sealed; this account does not have the key, or a passphrase opens it"
+                       : "sealed; this account does not have the key";
 }
 
 }  // namespace study

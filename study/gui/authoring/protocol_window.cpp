@@ -262,8 +262,10 @@ void ProtocolWindow::showVerdict() {
   showMarked(
       *verdict_,
       checked_.mark(),
-      QString::fromStdString(checked_.verdict()) +
-          (checked_.mark() == Mark::Warning ? tr(". They are listed under Problems.") : QString()));
+      QString::fromStdString(checked_.verdict()) + (checked_.mark() != Mark::Warning ? QString()
+                                                    : checked_.warnings() == 1
+                                                        ? tr(". It is listed under Problems.")
+                                                        : tr(". They are listed under Problems.")));
   aboutProblems_->setText(
       checked_.problems.empty() ? tr("Nothing was found.")
       : isUsable && isShipped() && hasWeaknesses()

@@ -114,8 +114,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(QString(), writtenTexts_);
   form().addRow(QString(), traces_);
   form().addRow(tr("To a new folder"), target_);
-  form().addRow(tr("Earlier export"), earlierExport_);
-  aboutEarlierExport_ = addHint(tr("Conditions get the same codes as there."));
+  form().addRow(tr("Codes of an earlier export"), earlierExport_);
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(smallestGroup_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
@@ -149,7 +148,6 @@ void ExportDialog::updateChoices() {
   form().setRowVisible(traces_, audience == Audience::Unblinded);
   const bool hasCodes = audience != Audience::Public && chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(earlierExport_, hasCodes);
-  form().setRowVisible(aboutEarlierExport_, hasCodes);
   clear();
   showIdentifiability();
   updateButton();

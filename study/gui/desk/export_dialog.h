@@ -42,7 +42,6 @@ class ExportDialog final : public WorkDialog {
   QCheckBox* traces_;
   PathField* target_;
   PathField* earlierExport_;  ///< an earlier export whose codes the new one reuses
-  QLabel* aboutEarlierExport_ = nullptr;
 };
 
 }  // namespace study::gui

@@ -2,6 +2,7 @@
 
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/session/study_key.h"
 
@@ -35,7 +36,7 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   }
   form().addRow(tr("Action"), task_);
   addReason(
-      tr("Reason"), [this] { updateChoices(); }, tr("and who gets the copy: for the audit trail"));
+      tr("Reason"), [this] { updateChoices(); }, tr("why, and who gets it (kept in the record)"));
   form().addRow(tr("New file"), target_);
   form().addRow(tr("File of the key"), source_);
   form().addRow(tr("Passphrase"), passphrase_);
@@ -62,8 +63,7 @@ void KeyDialog::showState() {
     const bool needsKey = study.isSealed() && !study.hasKey();
     showNotice(
         needsKey || hasOnlyCopyOfKey(study) ? Mark::Warning : Mark::None,
-        words.empty() ? tr("Nothing is sealed.")
-                      : tr("Conditions: %1.").arg(QString::fromStdString(words)));
+        words.empty() ? tr("Nothing is sealed.") : tr("Conditions: %1.").arg(deskText(words)));
     task_->setCurrentIndex(
         task_->findData(static_cast<int>(needsKey ? KeyTask::Take : KeyTask::Save)));
   });

@@ -128,11 +128,11 @@ void BackupDialog::work() {
   if (!backup.isNoted) checks.push_back({deskText(kCopyNotNoted), Mark::Warning});
   if (backup.verification.isSound()) {
     const QString path = target_->path();
+    target_->setPath(QString());
     showWrittenFile(
         path,
         tr("Backup saved and verified: %1 (%2 MB)").arg(path).arg(megabytes, 0, 'f', 1),
         checks);
-    target_->setPath(QString());
   } else {
     showOutcome(Outcome::Bad, tr("The study is damaged, and so is the copy."), checks);
   }

@@ -351,9 +351,12 @@ void Tour::showRecord() {
     add(tr("Timing"), tr("%1 of %2 force updates late").arg(*felt.lateTicks).arg(felt.ticks));
   }
   const auto judgement = felt.judgement();
-  QStringList words{deskText(nameOf(judgement.verdict)).toUpper()};
-  for (const auto& reason : judgement.reasons) words << deskText(reason);
-  add(tr("Verdict"), words.join(QStringLiteral("; ")));
+  QStringList reasons;
+  for (const auto& reason : judgement.reasons) reasons << deskText(reason);
+  const auto verdict = judgement.verdict == Verdict::Pass   ? tr("Usable")
+                       : judgement.verdict == Verdict::Warn ? tr("Usable, with a remark")
+                                                            : tr("Not to be relied on");
+  add(tr("Verdict"), (QStringList(verdict) + reasons).join(QStringLiteral("; ")));
   int widest = 0;
   for (int row = 0; row < record_->rowCount(); ++row) {
     const auto name = record_->item(row, 0)->text();

@@ -163,6 +163,7 @@ void WorkDialog::showWrittenFile(
     const QString& path, const QString& line, const std::vector<Note>& more, Outcome outcome) {
   showOutcome(outcome, line, more);
   writtenFile_->show(path);
+  disabledReason_->clear();  // that another file is to be chosen first would look like a failure
   fit();
   scroll_->ensureWidgetVisible(outcomeLine_);  // otherwise the form above it may fill the screen
 }

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "study/gui/home/study_panel.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/written_file.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/made_study.h"
@@ -36,6 +37,14 @@ class KeyDialogTest : public testing::Test {
   tests::MadeStudy study_;
   std::string file_ = study_.scratch() / "key.txt";
 };
+
+TEST_F(KeyDialogTest, SaysTheStateOfTheKeyInTheLanguageOfTheDesk) {
+  setDeskLanguage("de");
+  const KeyDialog dialog(summary());
+  const auto notice = dialog.findChild<QLabel*>(QStringLiteral("notice"))->text();
+  setDeskLanguage("en");
+  EXPECT_TRUE(notice.contains(QStringLiteral("versiegelt"))) << notice.toStdString();
+}
 
 TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
   EXPECT_TRUE(summary().lacksKeyBackup);

@@ -32,6 +32,7 @@
 #include "study/report/tables/plan_tables.h"
 #include "study/report/tables/statistics_tables.h"
 #include "study/results/study_plan.h"
+#include "study/words/words.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
 #include "tests/study/made_study.h"
@@ -119,6 +120,8 @@ TEST_F(StudyDialogsTest, BackupMakesAValidCopy) {
   BackupDialog dialog(summary());
   press(dialog, out_ / "copy");
   EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
+  EXPECT_EQ(dialog.findChild<QLabel*>(QStringLiteral("obstacle"))->text(), QString())
+      << "nothing failed";
   SystemClock clock;
   auto copy = Study::open(out_ / "copy", clock, storage::Database::Access::ReadOnly);
   EXPECT_TRUE(verify(copy).isSound());
@@ -311,6 +314,18 @@ TEST_F(StudyDialogsTest, AmendmentChangesTheProtocolOfNewSessions) {
   auto study = Study::open(out_ / "other", clock, storage::Database::Access::ReadOnly);
   EXPECT_EQ(study.protocol().text, text);
   tests::photographInAllThemes(dialog, QStringLiteral("amend"));
+}
+
+TEST_F(StudyDialogsTest, SayEveryCheckOfAVerificationInEveryLanguage) {
+  SystemClock clock;
+  auto opened = Study::open(study(), clock, storage::Database::Access::ReadOnly);
+  const auto verification = verify(opened);
+  for (const std::string language : {"de", "nb"}) {
+    const auto words = words::wordsIn(language);
+    for (const auto& check : verification.checks) {
+      EXPECT_TRUE(words.catalogue().desk.contains(check.what)) << language << ": " << check.what;
+    }
+  }
 }
 
 TEST_F(StudyDialogsTest, AmendmentReadsItsFileAgainWhenItChanges) {
