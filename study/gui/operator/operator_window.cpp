@@ -252,6 +252,8 @@ void OperatorWindow::begin(Session session) {
   mirror_->setPage(participant_.get(), controller_->session().participant());
   languages_->menuAction()->setEnabled(false);  // until the session's end
   pages_->setCurrentIndex(1);
+  // Until they were shown, the buttons had not the theme's margins, and asked for more room.
+  for (auto* button : controls_->findChildren<QPushButton*>()) button->updateGeometry();
   updateAll();
   showParticipant();
 }

@@ -32,6 +32,7 @@
 #include "study/gui/operator/trial_panel.h"
 #include "study/gui/operator/window_geometries.h"
 #include "study/gui/session/station_push.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/findings_table.h"
 #include "study/model/new_file.h"
 #include "study/session/arrivals.h"
@@ -350,6 +351,23 @@ TEST(WindowGeometries, AreSideBySideOnAScreenWithRoomForTwo) {
     EXPECT_GT(places->own.width(), places->participant.width());
   }
   EXPECT_FALSE(windowGeometriesOn({0, 0, 1366, 768}));
+}
+
+TEST_F(OperatorLayout, HasItsButtonsWholeWhenASessionBegins) {
+  setDeskLanguage("de");  // its words are longer
+  OperatorWindow window(study_);
+  window.setWindowState(Qt::WindowNoState);
+  window.resize(1366, 740);
+  window.show();
+  QTest::qWait(20);
+  window.enrol({.cohort = "professional", .runMode = RunMode::Pilot, .language = "en", .code = {}});
+  QTest::qWait(20);
+  for (const auto* button : window.findChild<ControlPanel*>()->findChildren<QPushButton*>()) {
+    if (!button->isVisible()) continue;
+    EXPECT_EQ(button->visibleRegion().boundingRect(), button->rect())
+        << button->text().toStdString();
+  }
+  setDeskLanguage("en");
 }
 
 TEST_F(OperatorLayout, LeavesStopInSightBesideTheParticipantsWindowOnASmallScreen) {
