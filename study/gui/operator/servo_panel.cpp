@@ -59,17 +59,24 @@ class ServoPanel::Bars final : public QWidget {
 ServoPanel::ServoPanel(QWidget* parent)
     : QWidget(parent),
       timingLabel_(new QLabel(this)),
+      limitLabel_(new QLabel(this)),
       details_(new QPushButton(tr("Details"), this)),
       more_(new QWidget(this)),
       words_(quietLabel({}, this)),
       bars_(new Bars(health_, this)) {
   timingLabel_->setObjectName(QStringLiteral("timing"));
-  timingLabel_->setWordWrap(true);  // the operator's window is narrow beside a participant's
+  limitLabel_->setObjectName(QStringLiteral("limit"));
+  for (auto* label : {timingLabel_, limitLabel_})
+    label->setWordWrap(true);  // the operator's window is narrow beside a participant's
+  setRole(*limitLabel_, "warn");
   details_->setObjectName(QStringLiteral("timing-details"));
   details_->setProperty("role", QStringLiteral("tool"));
   details_->setCheckable(true);
   auto* head = new QHBoxLayout;
-  head->addWidget(timingLabel_, 1);
+  auto* lights = new QVBoxLayout;
+  lights->addWidget(timingLabel_);
+  lights->addWidget(limitLabel_);
+  head->addLayout(lights, 1);
   head->addWidget(details_);
   auto* all = withoutMargins<QVBoxLayout>(this);
   all->addLayout(head);
@@ -121,6 +128,7 @@ void ServoPanel::refresh() {
                             .arg(energyUnit_)
                             .arg(priority);
   showTimingStatus();
+  showLimits();
   words_->setText(health_.ticks() == 0 ? tr("Nothing is felt just now.") : lines);
   // In a narrow window the lines wrap, for which the panel's own minimum height does not allow.
   constexpr int kUsualWidth = 300;  // [px], until the panel has been laid out
@@ -128,9 +136,8 @@ void ServoPanel::refresh() {
   bars_->update();
 }
 
-/// One line: whether the trial will get a warning (TrialRecord::judgement()), and the numbers
-/// behind it. Mentions a force at its limit however briefly, because what is felt then is not what
-/// the scene asked for.
+/// One line: whether the trial will get a warning for its timing (TrialRecord::judgement()), and
+/// the numbers behind it.
 void ServoPanel::showTimingStatus() {
   constexpr double kMostInvalid = 0.01;
   const auto ticks = static_cast<std::int64_t>(health_.ticks());
@@ -139,25 +146,27 @@ void ServoPanel::showTimingStatus() {
     setRole(*timingLabel_, "quiet");
     return timingLabel_->setText(tr("No trial is running."));
   }
-  const auto saturated = health_.saturatedTicks();
-  const auto leaps = health_.leaps();
-  QString words;
   if (isOftenLate(late, ticks) || health_.invalidShare() > kMostInvalid) {
     setRole(*timingLabel_, "bad");
-    words = tr("✖ Timing: poor (%1 of %2 force updates late)").arg(late).arg(ticks);
-  } else {
-    setRole(*timingLabel_, saturated > 0 || leaps > 0 ? "warn" : "good");
-    words = late > 0 ? tr("● Timing: good (%1 of %2 force updates late)").arg(late).arg(ticks)
-                     : tr("● Timing: good (none of %1 force updates late)").arg(ticks);
+    return timingLabel_->setText(
+        tr("✖ Timing: poor (%1 of %2 force updates late)").arg(late).arg(ticks));
   }
-  if (saturated > 0) {
-    words += QStringLiteral(" · ") + tr("force at its limit in %1 updates").arg(saturated);
-  }
-  if (leaps > 0) {
-    words += QStringLiteral(" · ") +
-             tr("leaps of the position: %1, check the encoder's cable").arg(leaps);
-  }
-  timingLabel_->setText(words);
+  setRole(*timingLabel_, "good");
+  timingLabel_->setText(
+      late > 0 ? tr("● Timing: good (%1 of %2 force updates late)").arg(late).arg(ticks)
+               : tr("● Timing: good (none of %1 force updates late)").arg(ticks));
+}
+
+/// Mentions a force at its limit however briefly, because what is felt then is not what the scene
+/// asked for.
+void ServoPanel::showLimits() {
+  QStringList words;
+  if (health_.saturatedTicks() > 0)
+    words << tr("▲ Force at its limit: %1 updates").arg(health_.saturatedTicks());
+  if (health_.leaps() > 0)
+    words << tr("▲ Leaps of the position: %1, check the encoder's cable").arg(health_.leaps());
+  limitLabel_->setText(words.join(u'\n'));
+  limitLabel_->setVisible(!words.isEmpty());
 }
 
 }  // namespace study::gui

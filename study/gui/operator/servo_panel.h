@@ -32,6 +32,7 @@ class ServoPanel final : public QWidget {
  private:
   class Bars;
   void showTimingStatus();
+  void showLimits();
 
   ServoHealth health_;
   QString energyUnit_;
@@ -41,6 +42,7 @@ class ServoPanel final : public QWidget {
   QElapsedTimer sinceRate_;
   bool isRealtime_ = false;
   QLabel* timingLabel_;
+  QLabel* limitLabel_;  ///< what is not about timing: forces at their limit, leaps of the position
   QPushButton* details_;
   QWidget* more_;  ///< the details
   QLabel* words_;

@@ -165,10 +165,9 @@ void TrialPanel::updateTrial() {
   const auto scale = travelScaleOf(kind);
   const int asked = controller_->session().step().minimumCuts;
   cutCount_->show();
-  cutCount_->setText(tr("%1 of %2 %3")
-                         .arg(status.cuts)
-                         .arg(asked)
-                         .arg(asText(kind.strokesName.in(deskLanguage()))));
+  const auto counted = status.cuts > asked ? tr("%1 %3 (at least %2)") : tr("%1 of %2 %3");
+  cutCount_->setText(
+      counted.arg(status.cuts).arg(asked).arg(asText(kind.strokesName.in(deskLanguage()))));
   numbers_->setText(
       tr("Force %1 N · travel %2 %3")
           .arg(shownNumber(status.force))
