@@ -1,5 +1,7 @@
 #include "study/gui/operator/cut_table.h"
 
+#include <algorithm>
+
 #include <QHeaderView>
 
 #include "study/gui/widgets/desk_language.h"
@@ -16,10 +18,9 @@ enum Column { kContact, kYield, kBottom, kOpening, kDepth, kPeak, kTime, kColumn
 
 QString describe(const CutDetector::Landmark& landmark, const TravelScale& travel) {
   if (!landmark.found) return QStringLiteral("—");
-  return CutTable::tr("%1 N, %2%3")
+  return QStringLiteral("%1 · %2")
       .arg(landmark.force, 0, 'f', 2)
-      .arg(travel.factor * landmark.travel, 0, 'f', 1)
-      .arg(travel.suffix);
+      .arg(travel.factor * landmark.travel, 0, 'f', 1);
 }
 
 int columnOf(CutDetector::Event event) {
@@ -41,18 +42,7 @@ int columnOf(CutDetector::Event event) {
 
 CutTable::CutTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   setObjectName(QStringLiteral("cuts"));
-  setHorizontalHeaderLabels(
-      {tr("Interception"),
-       tr("Yield"),
-       tr("Bottom-out"),
-       tr("Opening"),
-       tr("Depth"),
-       tr("Largest force"),
-       tr("Time")});
-  for (const int column : {kContact, kYield, kBottom, kOpening}) {
-    horizontalHeaderItem(column)->setToolTip(tr("Force, and the travel at it"));
-  }
-  horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  horizontalHeader()->setStretchLastSection(true);
   setSelectionMode(QAbstractItemView::NoSelection);
   makeReadOnly(*this);
   verticalHeader()->show();  // the number of the cut
@@ -67,11 +57,34 @@ void CutTable::begin(const haptics::devices::DeviceKind& device, double rate) {
   const bool isCut = device.tissue == haptics::devices::Tissue::Meniscus;
   for (const int column : {kContact, kYield, kBottom, kOpening}) setColumnHidden(column, !isCut);
   for (const int column : {kDepth, kTime}) setColumnHidden(column, isCut);
+  writeHeads(isCut);
   setAccessibleName(
       tr("%1 of this trial").arg(capitalised(asText(device.strokesName.in(deskLanguage())))));
   cut_ = 0;
   contact_.reset();
   setRowCount(0);
+}
+
+/// The heads, with the unit below the name of a landmark, and columns as wide as heads and cells
+/// need: the table is narrow beside a participant's window.
+void CutTable::writeHeads(bool isCut) {
+  const auto units = QStringLiteral("\nN · ") + travel_.unit;
+  setHorizontalHeaderLabels(
+      {tr("Interception") + units,
+       tr("Yield") + units,
+       tr("Bottom-out") + units,
+       tr("Opening") + units,
+       tr("Depth"),
+       isCut ? tr("Largest force").replace(u' ', u'\n') : tr("Largest force"),
+       tr("Time")});
+  for (const int column : {kContact, kYield, kBottom, kOpening}) {
+    horizontalHeaderItem(column)->setToolTip(tr("Force, and the travel at it"));
+  }
+  constexpr int kAround = 10;  // [px] of a cell
+  const int cell = fontMetrics().horizontalAdvance(tr("after %1 s").arg(QStringLiteral("9.99")));
+  for (int column = 0; column < kColumns; ++column) {
+    setColumnWidth(column, std::max(cell + kAround, horizontalHeader()->sectionSizeHint(column)));
+  }
 }
 
 void CutTable::add(const TickSample& sample) {

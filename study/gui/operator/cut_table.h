@@ -23,6 +23,7 @@ class CutTable final : public QTableWidget {
   void add(const haptics::engine::TickSample& sample);
 
  private:
+  void writeHeads(bool isCut);
   void write(int column, const QString& words);
 
   haptics::engine::CutDetector detector_;

@@ -1,5 +1,6 @@
 #include "study/gui/operator/timeline_table.h"
 
+#include <algorithm>
 #include <array>
 
 #include <QHeaderView>
@@ -45,8 +46,6 @@ TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
   setHorizontalHeaderLabels({tr("#"), tr("Step"), tr("Kind"), tr("Attempts"), tr("Status")});
   horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  constexpr int kWideEnough = 130;  // [px] "to be repeated"
-  setColumnWidth(4, kWideEnough);
   setSelectionMode(QAbstractItemView::NoSelection);
   makeReadOnly(*this);
   setFocusPolicy(Qt::NoFocus);
@@ -59,6 +58,23 @@ void TimelineTable::resizeEvent(QResizeEvent* event) {
   setColumnHidden(3, event->size().width() < kRoomForTheAttempts);
   QTableWidget::resizeEvent(event);
   resizeRowsToContents();  // a narrow column wraps the names of steps
+}
+
+/// The width of the longest status, as bold as that of the current step.
+int TimelineTable::widthOfStatus() const {
+  auto bold = font();
+  bold.setBold(true);
+  int widest = 0;
+  for (const auto& words :
+       {tr("to be repeated"),
+        tr("broken off"),
+        tr("✖ broke off"),
+        tr("‖ paused"),
+        tr("● running")}) {
+    widest = std::max(widest, QFontMetrics(bold).horizontalAdvance(words));
+  }
+  constexpr int kAround = 16;  // [px]
+  return widest + kAround;
 }
 
 void TimelineTable::show(const SessionController* controller) {
@@ -74,6 +90,7 @@ void TimelineTable::show(const SessionController* controller) {
   }
   constexpr int kBolder = 8;  // [px] of the current step's number
   if (isNew) setColumnWidth(0, columnWidth(0) + kBolder);
+  if (isNew) setColumnWidth(4, widthOfStatus());
   if (isNew) resizeRowsToContents();
   const int now = controller->session().stepIndex();
   if (now < steps) scrollToItem(item(now, 1), QAbstractItemView::PositionAtCenter);

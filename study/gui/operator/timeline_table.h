@@ -21,6 +21,7 @@ class TimelineTable final : public QTableWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  int widthOfStatus() const;
   void fillRow(int row, const SessionController& controller);
   void write(int row, int column, const QString& words, bool isNow);
 };

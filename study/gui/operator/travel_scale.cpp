@@ -12,7 +12,7 @@ TravelScale travelScaleOf(const haptics::devices::DeviceKind& device) {
       deskText(shown.unit),
       asText(shown.suffix),
       asText(shown.velocityUnit),
-      asText(shown.energyUnit)};
+      deskText(shown.energyUnit)};
 }
 
 }  // namespace study::gui

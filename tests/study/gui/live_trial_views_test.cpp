@@ -180,7 +180,12 @@ TEST(CutTable, ShowsTheLandmarksThatAStrokeOfTheDeviceHas) {
   const auto shown = [&] {
     QStringList heads;
     for (int i = 0; i < table.columnCount(); ++i) {
-      if (!table.isColumnHidden(i)) heads << table.horizontalHeaderItem(i)->text();
+      if (table.isColumnHidden(i)) continue;
+      heads << table.horizontalHeaderItem(i)
+                   ->text()
+                   .remove(QStringLiteral("\nN · units"))
+                   .replace(u'\n', u' ');
+      EXPECT_GE(table.columnWidth(i), table.horizontalHeader()->sectionSizeHint(i)) << "is cut off";
     }
     return heads.join(u' ').toStdString();
   };
@@ -188,6 +193,7 @@ TEST(CutTable, ShowsTheLandmarksThatAStrokeOfTheDeviceHas) {
   EXPECT_EQ(shown(), "Depth Largest force Time");
   table.begin(haptics::devices::punchKind(), 1000.0);
   EXPECT_EQ(shown(), "Interception Yield Bottom-out Opening Largest force");
+  EXPECT_EQ(table.horizontalHeaderItem(0)->text(), QStringLiteral("Interception\nN · units"));
 }
 
 TEST(TravelPlot, DrawsEachStrokeAsACurveOfItsOwn) {
@@ -252,7 +258,7 @@ TEST(CutTable, FillsARowForEachCut) {
     }
   }
   ASSERT_EQ(table.rowCount(), 3);
-  EXPECT_TRUE(table.item(0, 0)->text().contains(QStringLiteral(" N, 4")))
+  EXPECT_TRUE(table.item(0, 0)->text().contains(QStringLiteral(" · 4")))
       << table.item(0, 0)->text().toStdString();
   const double largest = table.item(1, 5)->text().split(u' ').front().toDouble();
   EXPECT_NEAR(largest, 4.8, 0.1);
