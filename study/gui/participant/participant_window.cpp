@@ -313,7 +313,8 @@ void ParticipantWindow::showUnanswered(bool isAskedFor) {
   const auto progress = questions_->progress();
   QString words;
   if (showsUnanswered_ && progress.open > 0) {
-    words = tr("%1 of %2 left").arg(progress.open).arg(progress.required);
+    words = progress.open == 1 ? tr("1 question still open")
+                               : tr("%1 questions still open").arg(progress.open);
   } else {
     words = questions_->hasMoreBelow() ? tr("More below ↓") : QString();
   }
@@ -405,7 +406,7 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
   if (isNumberedInFeltOrder(session))
     hints << tr("The numbers are in the order in which you felt them.");
   if (session.step().kind == StepKind::Preference) {
-    hints << tr("If you are unsure, follow your first impression.");
+    hints << tr("They cannot be felt again now. If you are unsure, follow your first impression.");
     if (const auto* next = nextTrial(session)) {
       hints
           << (keepsNumbers(session, *next)

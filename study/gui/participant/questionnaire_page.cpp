@@ -221,8 +221,7 @@ void QuestionnairePage::addItem(const Content& content, std::size_t index) {
   auto* widget = makeItemWidget(item, content.choices, content.language, card);
   card->layout()->addWidget(mark);
   card->layout()->addWidget(widget);
-  // A name in place of a signature says itself when it is wanted.
-  if (!item.isRequired && !isSignature(items_, index)) widget->addRemark(tr("(optional)"));
+  if (!item.isRequired) widget->addRemark(tr("(optional)"));
   if (isSignature(items_, index) && !items_[index - 1].consentOption.empty()) {
     const auto today = QLocale(content.language).toString(QDate::currentDate(), tr("d MMMM yyyy"));
     auto* date = quietLabel(tr("Date: %1").arg(today), widget);

@@ -335,6 +335,9 @@ TEST(QuestionnairePage, HasTheSignatureAndTheDateBelowTheConsent) {
                                 QLocale(QStringLiteral("en"))
                                     .toString(QDate::currentDate(), QStringLiteral("d MMMM yyyy"));
   }));
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->text().contains(QStringLiteral("if you consent: (optional)"));
+  })) << "a name need not be given";
 }
 
 TEST(QuestionnairePage, ShowsWhatIsAgreedToInPartsOfItsOwn) {
