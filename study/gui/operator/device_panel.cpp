@@ -82,9 +82,14 @@ void DevicePanel::refresh() {
     const auto fault =
         device == nullptr ? tr("not in the device file") : QString::fromStdString(device->fault());
     setRole(*line, fault.isEmpty() ? "quiet" : "bad");
+    // A failed device is not opened again by itself: that is the operator's decision.
+    const auto advice =
+        device == nullptr
+            ? QString()
+            : QStringLiteral(". ") + tr("Once it is mended, “Check devices…” connects it again.");
     line->setText(
         fault.isEmpty() ? name + describe(*device, protocol_.device(id)->kind->wire)
-                        : QStringLiteral("✖ ") + name + fault);
+                        : QStringLiteral("✖ ") + name + fault + advice);
   }
 }
 

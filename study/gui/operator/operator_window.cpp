@@ -335,10 +335,10 @@ static QSize frameOf(const QWidget& window) {
 /// Puts both windows side by side if one screen has room for them, and otherwise the participant's
 /// beside the button that stops.
 void OperatorWindow::tile() {
-  const QRect screen = this->screen()->availableGeometry();
+  const QRect available = screen()->availableGeometry();
   if (!participant_ || participant_->lock().isLocked()) return;
-  const auto places = windowGeometriesOn(screen);
-  const auto beside = placeBesideStop(screen);
+  const auto places = windowGeometriesOn(available);
+  const auto beside = placeBesideStop(available);
   if (!places && !beside) return;
   participant_->setWindowState(Qt::WindowNoState);
   if (places) {

@@ -165,6 +165,7 @@ TEST_F(ConnectedPunch, CanBeCheckedFromTheWindow) {
   EXPECT_TRUE(gone.front()[3].contains(QStringLiteral("\n→ "))) << "there is advice";
   auto* line = window.findChild<QLabel*>(QStringLiteral("device-punch"));
   EXPECT_TRUE(line->text().contains(QStringLiteral("unplugged"))) << line->text().toStdString();
+  EXPECT_TRUE(line->text().contains(QStringLiteral("“Check devices…”"))) << "it says what to do";
   window.resize(1280, 720);
   tests::photograph(window, QStringLiteral("unplugged"));
 }
