@@ -114,6 +114,7 @@ void SimulateDialog::work() {
   std::vector<SimulatedSessionResult> endings;
   const int wanted = participants_->value();
   const int more = wanted - participants_->minimum() + 1;
+  const QString words = tr("participant %1 of %2");
   const bool isDone = BackgroundTask::run(
       this, tr("Simulating"), MessageTopic::SimulationNotFinished, [&](const Progress& progress) {
         SimulatedClock clock;
@@ -122,7 +123,11 @@ void SimulateDialog::work() {
         const auto seed = simulationSeed(study);
         endings = simulateCohorts(study, clock, wanted, seed, [&](const SimulationEvent& done) {
           if (done.kind == SimulationEvent::Kind::Enrolment) ++begun;
-          announceProgress(progress, static_cast<double>(std::max(0, begun - 1)) / more, done.what);
+          const int before = std::max(0, begun - 1);
+          announceProgress(
+              progress,
+              static_cast<double>(before) / more,
+              words.arg(before + 1).arg(more).toStdString());
         });
       });
   if (!isDone) return clear();

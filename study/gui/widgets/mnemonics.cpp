@@ -1,5 +1,6 @@
 #include "study/gui/widgets/mnemonics.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <set>
@@ -99,15 +100,22 @@ class MnemonicAssignment {
     find(text, tried);
   }
 
-  /// The position of the letter assigned to @p text; of its first letter if all its letters are
-  /// assigned to other texts; −1 if it has none.
-  qsizetype placeIn(const QString& text) const {
+  /// The position of the letter assigned to @p text; of the letter that the fewest texts share if
+  /// all its letters are assigned to other texts; −1 if it has none.
+  qsizetype placeIn(const QString& text) {
     const auto places = lettersOf(text);
     for (const auto at : places) {
       const auto owner = owners_.find(text[at].toUpper());
       if (owner != owners_.end() && owner->second == text) return at;
     }
-    return places.empty() ? -1 : places.front();
+    if (places.empty()) return -1;
+    const auto [known, isNew] = sharedPlaces_.emplace(text, places.front());
+    if (isNew) {
+      known->second = *std::ranges::min_element(
+          places, {}, [&](qsizetype at) { return sharers_[text[at].toUpper()]; });
+      ++sharers_[text[known->second].toUpper()];
+    }
+    return known->second;
   }
 
  private:
@@ -128,6 +136,8 @@ class MnemonicAssignment {
   std::map<QChar, QString> owners_;
   std::set<QChar> kept_;
   std::set<QString> known_;
+  std::map<QString, qsizetype> sharedPlaces_;  ///< of texts without a letter of their own
+  std::map<QChar, int> sharers_;               ///< number of these texts with a letter
 };
 
 class MnemonicFilter final : public QObject {

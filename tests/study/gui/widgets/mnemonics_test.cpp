@@ -1,5 +1,8 @@
 #include "study/gui/widgets/mnemonics.h"
 
+#include <map>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
@@ -29,6 +32,19 @@ TEST(Mnemonics, AreLettersThatNothingElseInTheWindowHas) {
   EXPECT_EQ(mnemonicOf(box->text()), QLatin1Char('L'));
   const auto* label = qobject_cast<QLabel*>(layout->labelForField(field));
   EXPECT_EQ(mnemonicOf(label->text()), QLatin1Char('A'));
+}
+
+TEST(Mnemonics, AreSharedByAsFewAsPossibleWhereLettersRunOut) {
+  QWidget window;
+  std::map<QChar, int> sharers;
+  std::vector<QPushButton*> buttons;
+  for (const auto* words : {"AB", "BA", "AAB", "ABB", "ABA", "AABB"}) {
+    buttons.push_back(new QPushButton(QString::fromUtf8(words), &window));
+  }
+  addMnemonics(window);
+  for (const auto* button : buttons) ++sharers[mnemonicOf(button->text())];
+  EXPECT_EQ(sharers[u'A'], 3);
+  EXPECT_EQ(sharers[u'B'], 3);
 }
 
 TEST(Mnemonics, AreTheSameForTheSameWords) {
