@@ -65,10 +65,10 @@ void CutTable::begin(const haptics::devices::DeviceKind& device, double rate) {
   setRowCount(0);
 }
 
-/// The heads, with the unit below the name of a landmark, and columns as wide as heads and cells
-/// need: the table is narrow beside a participant's window.
+/// The heads, with what a cell has below the name of a landmark, and columns as wide as heads and
+/// cells need: the table is narrow beside a participant's window.
 void CutTable::writeHeads(bool isCut) {
-  const auto units = QStringLiteral("\nN · ") + travel_.unit;
+  const auto units = u'\n' + tr("N · travel");
   setHorizontalHeaderLabels(
       {tr("Interception") + units,
        tr("Yield") + units,

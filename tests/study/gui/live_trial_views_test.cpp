@@ -183,7 +183,7 @@ TEST(CutTable, ShowsTheLandmarksThatAStrokeOfTheDeviceHas) {
       if (table.isColumnHidden(i)) continue;
       heads << table.horizontalHeaderItem(i)
                    ->text()
-                   .remove(QStringLiteral("\nN · units"))
+                   .remove(QStringLiteral("\nN · travel"))
                    .replace(u'\n', u' ');
       EXPECT_GE(table.columnWidth(i), table.horizontalHeader()->sectionSizeHint(i)) << "is cut off";
     }
@@ -193,7 +193,7 @@ TEST(CutTable, ShowsTheLandmarksThatAStrokeOfTheDeviceHas) {
   EXPECT_EQ(shown(), "Depth Largest force Time");
   table.begin(haptics::devices::punchKind(), 1000.0);
   EXPECT_EQ(shown(), "Interception Yield Bottom-out Opening Largest force");
-  EXPECT_EQ(table.horizontalHeaderItem(0)->text(), QStringLiteral("Interception\nN · units"));
+  EXPECT_EQ(table.horizontalHeaderItem(0)->text(), QStringLiteral("Interception\nN · travel"));
 }
 
 TEST(TravelPlot, DrawsEachStrokeAsACurveOfItsOwn) {
