@@ -82,7 +82,7 @@ void CutTable::writeHeads(bool isCut) {
   }
   constexpr int kAround = 10;  // [px] of a cell
   const int cell = fontMetrics().horizontalAdvance(tr("after %1 s").arg(QStringLiteral("9.99")));
-  for (int column = 0; column < kColumns; ++column) {
+  for (int column = 0; column < (isCut ? kPeak : kTime); ++column) {  // the last takes the rest
     setColumnWidth(column, std::max(cell + kAround, horizontalHeader()->sectionSizeHint(column)));
   }
 }
