@@ -120,20 +120,6 @@ QRect placeOfWords(const QWidget& widget) {
   return widget.rect().marginsRemoved(kFrame);
 }
 
-/// How many pixels of @p picture have a colour, by colour.
-std::map<QRgb, std::ptrdiff_t> coloursOf(const QImage& picture) {
-  const QImage pixels = picture.convertToFormat(QImage::Format_ARGB32);
-  std::map<QRgb, std::ptrdiff_t> counts;
-  for (int y = 0; y < pixels.height(); ++y) {
-    const auto* line = reinterpret_cast<const QRgb*>(pixels.constScanLine(y));
-    for (int x = 0, end = 0; x < pixels.width(); x = end) {  // runs of one colour
-      while (end < pixels.width() && line[end] == line[x]) ++end;
-      counts[line[x]] += end - x;
-    }
-  }
-  return counts;
-}
-
 /// Judges whether the glyphs of @p text can be read in @p picture: whether enough of its pixels
 /// have the contrast @p least with the colour that most pixels have.
 void judge(
@@ -144,7 +130,7 @@ void judge(
     QStringList& found) {
   constexpr auto kPixelsOfALetter = 2;  // at least; a small "i" has ten
   constexpr auto kMostLetters = 12;     // the others may be cut off
-  const auto counts = coloursOf(picture);
+  const auto counts = study::gui::coloursOf(picture);
   if (counts.empty()) return;
   const auto ground = std::max_element(
       counts.begin(), counts.end(), [](auto& a, auto& b) { return a.second < b.second; });
