@@ -50,11 +50,11 @@ QString titleOfPart(const protocols::Protocol& protocol, const QString& kind, st
 
 /// "1 warning", "3 warnings", in the language of the desk.
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return said(count == 1 ? one : many, count);
+  return translated(count == 1 ? one : many, count);
 }
 
 QString contentsOf(const protocols::Protocol& protocol) {
-  return QString::fromStdString(said(
+  return QString::fromStdString(translated(
       "\"{}\", {}, {}, {}.",
       protocol.study.title,
       counted(protocol.conditions.size(), "{} condition", "{} conditions"),
@@ -89,11 +89,11 @@ int CheckedProtocol::warnings() const noexcept {
 std::string CheckedProtocol::verdict() const {
   const auto countOf = [](int number) { return static_cast<std::size_t>(number); };
   if (!loaded) {
-    return said(
+    return translated(
         "Not valid yet: {}.", counted(countOf(std::max(errors(), 1)), "{} error", "{} errors"));
   }
-  if (warnings() == 0) return said("Valid");
-  return said("Valid, {}", counted(countOf(warnings()), "{} warning", "{} warnings"));
+  if (warnings() == 0) return translated("Valid");
+  return translated("Valid, {}", counted(countOf(warnings()), "{} warning", "{} warnings"));
 }
 
 Mark CheckedProtocol::mark() const noexcept {
@@ -183,8 +183,9 @@ CheckedProtocol checkedProtocol(
         {.severity = Severity::Warning,
          .path = "$",
          .what = base::Message::verbatim(
-             said("{} blanks in texts for participants", blanksLeft(*loaded))),
-         .fix = base::Message::verbatim(said("Fill in the texts before the first live session."))});
+             translated("{} blanks in texts for participants", blanksLeft(*loaded))),
+         .fix = base::Message::verbatim(
+             translated("Fill in the texts before the first live session."))});
   }
   return {std::move(source), std::move(text), std::move(loaded), std::move(problems)};
 }

@@ -31,9 +31,9 @@ QString inOrder(const protocols::PlannedBlock& block, const protocols::Protocol&
 }
 
 std::string inWords(const protocols::Balance& balance) {
-  if (balance.multipleOf == 1) return said("the same order for everyone");
-  if (balance.multipleOf == 0) return said("drawn for everyone, and never balanced exactly");
-  return said(
+  if (balance.multipleOf == 1) return translated("the same order for everyone");
+  if (balance.multipleOf == 0) return translated("drawn for everyone, and never balanced exactly");
+  return translated(
       balance.isBalanced ? "balanced; it is for every multiple of {}"
                          : "not balanced; it is for every multiple of {}",
       balance.multipleOf);
@@ -51,13 +51,13 @@ DataTable balanceTable(
   const auto titleOf = [&](const std::string& id) { return protocol.condition(id)->title; };
   DataTable table{
       .name = "balance",
-      .description = said("Balance"),
+      .description = translated("Balance"),
       .columns = {
-          Heading::ofWords(said("Part")),
-          Heading::ofWords(said("Condition")),
-          Heading::ofWords(said("Balance")),
-          Heading::ofWords(said("Times at position 1, 2, …")),
-          Heading::ofWords(said("Times right after"))}};
+          Heading::ofWords(translated("Part")),
+          Heading::ofWords(translated("Condition")),
+          Heading::ofWords(translated("Balance")),
+          Heading::ofWords(translated("Times at position 1, 2, …")),
+          Heading::ofWords(translated("Times right after"))}};
   for (const auto& phase : protocol.phases) {
     if (phase.type != protocols::PhaseType::Block) continue;
     const auto balance =

@@ -168,20 +168,21 @@ void EraseDialog::work() {
       },
       BackgroundTask::Cancelling::Impossible);
   if (!isDone) return clear();
-  const auto said = QString::fromStdString(asText(certificate));
+  const auto certified = QString::fromStdString(asText(certificate));
   const auto code = QString::fromStdString(request.participant);
   if (!whyNotSaved.empty()) {
     showOutcome(
         Outcome::Warning,
         tr("%1 is erased, but the certificate was not saved.").arg(code),
-        {{QString::fromStdString(whyNotSaved) + QStringLiteral("\n\n") + said}});
+        {{QString::fromStdString(whyNotSaved) + QStringLiteral("\n\n") + certified}});
   } else if (!certificate.isClean()) {
-    showOutcome(Outcome::Warning, tr("%1 is erased, but some data are left.").arg(code), {{said}});
+    showOutcome(
+        Outcome::Warning, tr("%1 is erased, but some data are left.").arg(code), {{certified}});
   } else if (path.isEmpty()) {
-    showOutcome(Outcome::Good, tr("%1 is erased.").arg(code), {{said}});
+    showOutcome(Outcome::Good, tr("%1 is erased.").arg(code), {{certified}});
   } else {
     rememberDocument(QString::fromStdString(folder_), path);
-    showWrittenFile(path, tr("%1 is erased. Certificate saved: %2").arg(code, path), {{said}});
+    showWrittenFile(path, tr("%1 is erased. Certificate saved: %2").arg(code, path), {{certified}});
   }
   fillIn();
 }

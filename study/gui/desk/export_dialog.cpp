@@ -203,12 +203,12 @@ void ExportDialog::work() {
   if (!isDone) return;
   const QString path = target_->path();
   const auto sessions = written.sessions;
-  QString line =
-      tr("Data saved: %1 (%2, %3)")
-          .arg(
-              path,
-              QString::fromStdString(said(sessions == 1 ? "{} session" : "{} sessions", sessions)),
-              deskText(what));
+  QString line = tr("Data saved: %1 (%2, %3)")
+                     .arg(
+                         path,
+                         QString::fromStdString(
+                             translated(sessions == 1 ? "{} session" : "{} sessions", sessions)),
+                         deskText(what));
   if (!written.isNoted) line += QLatin1Char('\n') + deskText(kCopyNotNoted);
   if (sessions == 0) return showOutcome(Outcome::Warning, line);
   rememberDocument(QString::fromStdString(folder_), path);

@@ -47,9 +47,9 @@ std::vector<FindingLine> testDevices(const SelfTestOptions& options, const Progr
   try {
     HardwareDeviceSet deviceSet(loadDevices(file), anyHand);
     for (const auto& entry : deviceSet.entries()) {
-      announceProgress(progress, kUnknownShare, said("listening to {}", entry.id));
+      announceProgress(progress, kUnknownShare, translated("listening to {}", entry.id));
       for (auto& result : preflight(*deviceSet.find(entry.id), nullptr, options.seconds)) {
-        result.what = entry.id + ": " + said(result.what);
+        result.what = entry.id + ": " + translated(result.what);
         lines.push_back({"devices", std::move(result), ""});
       }
     }
@@ -97,7 +97,7 @@ FindingLine testFile(
       "saving",
       {Finding::Fail,
        what,
-       said("the file {} is damaged", name),
+       translated("the file {} is damaged", name),
        "Do not go on with it: restore the study from a copy."},
       problems};
 }
@@ -110,7 +110,7 @@ FindingLine judgeScreen(const QScreen& screen) {
   const QSize size = screen.geometry().size();
   CheckResult found{
       .what = screen.name().isEmpty() ? "resolution" : screen.name().toStdString(),
-      .measured = said("{} × {} points", size.width(), size.height()),
+      .measured = translated("{} × {} points", size.width(), size.height()),
       .fix = ""};
   if (size.width() < kLeastWide || size.height() < kLeastHigh) {
     found.finding = Finding::Warn;
@@ -122,7 +122,7 @@ FindingLine judgeScreen(const QScreen& screen) {
   return {
       "screen",
       found,
-      said("scale {:g}, {:.0f} Hz", screen.devicePixelRatio(), screen.refreshRate())};
+      translated("scale {:g}, {:.0f} Hz", screen.devicePixelRatio(), screen.refreshRate())};
 }
 
 /// Tests which renderer is available by opening one.
@@ -135,7 +135,7 @@ FindingLine judgeGraphics() {
        "pictures of simulations",
        isFast ? "drawn by the graphics card" : "drawn by the processor",
        graphics.remark.toStdString()},
-      said("drawn by {}", graphics.renderer->name().toStdString())};
+      translated("drawn by {}", graphics.renderer->name().toStdString())};
 }
 
 }  // namespace
@@ -160,11 +160,11 @@ FindingLine evaluateTiming(const RealtimeLoop::Report& report, bool isRealtime, 
         "Other programs can delay forces. Allow real-time priority: the page on devices, \"Real "
         "time\", says how.";
   }
-  found.measured = said(words, late, ticks);
+  found.measured = translated(words, late, ticks);
   return {
       "timing",
       found,
-      said(
+      translated(
           "{:g} Hz for {:.1f} s: late by {:.0f} µs (median), {:.0f} µs (99 of 100), {:.0f} µs "
           "(latest); {}",
           rate,
@@ -172,7 +172,7 @@ FindingLine evaluateTiming(const RealtimeLoop::Report& report, bool isRealtime, 
           report.lateness.quantile(0.5),
           report.lateness.quantile(0.99),
           report.lateness.largest(),
-          said(isRealtime ? "real-time priority" : "ordinary priority"))};
+          translated(isRealtime ? "real-time priority" : "ordinary priority"))};
 }
 
 FindingLine evaluateCommitTimes(const storage::CommitTimes& times, const std::string& folder) {
@@ -187,11 +187,12 @@ FindingLine evaluateCommitTimes(const storage::CommitTimes& times, const std::st
     found.finding = Finding::Warn;
     found.fix = "Pages come slowly. A disk inside this computer, an SSD, is faster.";
   }
-  found.measured = said(words, 1e3 * times.median);
+  found.measured = translated(words, 1e3 * times.median);
   return {
       "saving",
       found,
-      said("median of {}; longest {:.1f} ms; in {}", times.commits, 1e3 * times.longest, folder)};
+      translated(
+          "median of {}; longest {:.1f} ms; in {}", times.commits, 1e3 * times.longest, folder)};
 }
 
 std::vector<FindingLine> testComputer(const SelfTestOptions& options, const Progress& progress) {

@@ -44,8 +44,8 @@ QComboBox* makeRunModeBox(const StudySummary& study, QWidget* parent) {
     const int count = countIn(study.sessions, mode);
     const auto name = nameOf(mode);
     choice->addItem(
-        QString::fromStdString(
-            said(count == 1 ? "{} ({} session)" : "{} ({} sessions)", said(name), count)),
+        QString::fromStdString(translated(
+            count == 1 ? "{} ({} session)" : "{} ({} sessions)", translated(name), count)),
         static_cast<int>(mode));
     choice->setItemData(choice->count() - 1, count, kCountRole);
   }

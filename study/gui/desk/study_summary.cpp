@@ -52,11 +52,11 @@ void fill(StudySummary& summary) {
   summary.title = metadata.title;
   const auto name = metadata.id + " " + metadata.version;
   summary.protocol = current.frozenUtc
-                         ? said(
+                         ? translated(
                                "Protocol: {}, in use since {}; a change makes a new version",
                                name,
                                current.frozenUtc->substr(0, 10))
-                         : said("Protocol: {}, can still be changed", name);
+                         : translated("Protocol: {}, can still be changed", name);
   for (const auto& row : study.sessions().all()) {
     if (row.state == SessionState::Erased) continue;
     ++summary.sessions[row.runMode];
@@ -71,7 +71,7 @@ void fill(StudySummary& summary) {
 
 /// "Pilot: 0 of 1 completed".
 std::string modeInWords(const StudySummary& summary, RunMode mode) {
-  return said(
+  return translated(
       "{}: {} of {} completed",
       capitalised(deskText(nameOf(mode))).toStdString(),
       countIn(summary.completed, mode),
@@ -94,7 +94,7 @@ StudySummary summaryOf(const std::string& folder) {
   std::error_code ignored;
   summary.isFolderMissing = !std::filesystem::is_directory(folder, ignored);
   if (summary.isFolderMissing) {
-    summary.problem = said(
+    summary.problem = translated(
         "The folder is not there. Was it moved, or is its disk not connected? Open it where it "
         "is now, or remove it from the list.");
     return summary;
@@ -118,19 +118,20 @@ PlanProgress progressOf(const StudySummary& summary) {
 }
 
 std::string sessionsInWords(const StudySummary& summary) {
-  if (!summary.problem.empty()) return said(summary.isFolderMissing ? "gone" : "cannot be opened");
-  if (summary.sessions.empty()) return said("no sessions yet");
+  if (!summary.problem.empty())
+    return translated(summary.isFolderMissing ? "gone" : "cannot be opened");
+  if (summary.sessions.empty()) return translated("no sessions yet");
   std::vector<std::string> parts;
   const auto [completed, planned] = progressOf(summary);
   if (planned > 0) {
-    parts.push_back(said("{} of {} completed", completed, planned));
+    parts.push_back(translated("{} of {} completed", completed, planned));
   } else if (countIn(summary.sessions, RunMode::Live) > 0) {
     parts.push_back(modeInWords(summary, RunMode::Live));
   }
   const auto others = otherSessionsInWords(summary);
   if (!others.empty()) parts.push_back(others);
   if (!summary.unfinished.empty()) {
-    parts.push_back(said("{} unfinished", summary.unfinished.size()));
+    parts.push_back(translated("{} unfinished", summary.unfinished.size()));
   }
   return joined(parts);
 }

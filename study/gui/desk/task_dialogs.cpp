@@ -253,9 +253,9 @@ void StatisticsDialog::showResults() {
           return family.family.correction != protocols::CorrectionType::None;
         });
     if (isCorrected) {
-      answer.caveats.push_back(
-          said("Intervals are those of one comparison, not adjusted for several: where they and "
-               "the adjusted p differ, the words go by the adjusted p."));
+      answer.caveats.push_back(translated(
+          "Intervals are those of one comparison, not adjusted for several: where they and "
+          "the adjusted p differ, the words go by the adjusted p."));
     }
     result_->show(answer, report::statisticsTables(*section_, profile));
   }

@@ -297,11 +297,11 @@ QWidget* StudyPanel::makeCard(const UnfinishedSession& session, bool isMain) {
       QStringLiteral("unfinished-%1").arg(QString::fromStdString(session.participant)));
   auto* layout = new QVBoxLayout(card);
   layout->addWidget(bodyLabel(
-      QString::fromStdString(said(
+      QString::fromStdString(translated(
           session.isOpenElsewhere() ? "Unfinished: {} ({}), step {} of {}; open in another window."
                                     : "Unfinished: {} ({}), step {} of {}.",
           session.participant,
-          said(nameOf(session.runMode)),
+          translated(nameOf(session.runMode)),
           session.step + 1,
           session.steps)),
       card));

@@ -112,7 +112,7 @@ PartFindings DevicePanel::checkDevices() {
   PartFindings found;
   const auto checkAll = [&](const Progress& progress) {
     for (const auto& need : protocol_.devices) {
-      announceProgress(progress, kUnknownShare, said("listening to {}", need.id));
+      announceProgress(progress, kUnknownShare, translated("listening to {}", need.id));
       auto* device = deviceSet_->find(need.id);
       if (device == nullptr) {
         found.push_back(

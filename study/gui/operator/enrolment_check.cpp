@@ -20,7 +20,7 @@ QString listOf(const std::vector<protocols::Placeholder>& blanks) {
                  QString::fromStdString(blanks[i].where + ": " + blanks[i].words);
   }
   if (blanks.size() > kMost) {
-    lines << QString::fromStdString(said("and {} more", blanks.size() - kMost));
+    lines << QString::fromStdString(translated("and {} more", blanks.size() - kMost));
   }
   return lines.join(u'\n');
 }

@@ -34,17 +34,17 @@ std::string dayInWords(const std::string& utc) {
 
 /// Why the last push did not succeed.
 std::string problemInWords(const std::string& problem) {
-  if (problem == "unreachable") return said("no network, or no server");
-  if (problem == "not_let_in") return said("the server does not let this computer in");
-  if (problem == "full") return said("the server’s disk is full");
+  if (problem == "unreachable") return translated("no network, or no server");
+  if (problem == "not_let_in") return translated("the server does not let this computer in");
+  if (problem == "full") return translated("the server’s disk is full");
   if (problem == "release" || problem == "newer") {
-    return said("the server has another release of this program");
+    return translated("the server has another release of this program");
   }
-  if (problem == "revoked") return said("this station was shut out");
+  if (problem == "revoked") return translated("this station was shut out");
   if (problem == "fork" || problem == "older_copy") {
-    return said("another copy of this folder has sent something");
+    return translated("another copy of this folder has sent something");
   }
-  return said("the server refused it; sending it from the command line says why");
+  return translated("the server refused it; sending it from the command line says why");
 }
 
 bool isSame(const PushRecord& one, const PushRecord& other) {
@@ -58,14 +58,15 @@ std::string arrivalsInWords(const Arrivals& arrivals, const std::string& problem
   if (all == 0) return {};
   const auto waiting = all - arrived;
   std::string words =
-      waiting == 0    ? said("Sessions here: {}. All have arrived", all)
-      : since.empty() ? said("Sessions here: {}. Arrived: {}. Waiting: {}", all, arrived, waiting)
-                      : said(
-                            "Sessions here: {}. Arrived: {}. Waiting since {}: {}",
-                            all,
-                            arrived,
-                            dayInWords(since),
-                            waiting);
+      waiting == 0 ? translated("Sessions here: {}. All have arrived", all)
+      : since.empty()
+          ? translated("Sessions here: {}. Arrived: {}. Waiting: {}", all, arrived, waiting)
+          : translated(
+                "Sessions here: {}. Arrived: {}. Waiting since {}: {}",
+                all,
+                arrived,
+                dayInWords(since),
+                waiting);
   if (waiting > 0 && !problem.empty()) words += " (" + problemInWords(problem) + ")";
   return words;
 }

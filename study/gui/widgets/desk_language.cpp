@@ -86,14 +86,14 @@ void addLanguagesTo(QMenu& menu) {
   }
 }
 
-std::string said(std::string_view english) {
+std::string translated(std::string_view english) {
   const auto& texts = desk().texts.words().catalogue().desk;
   const auto text = texts.find(english);
   return text == texts.end() ? std::string(english) : text->second;
 }
 
 QString deskText(std::string_view english) {
-  return QString::fromStdString(said(english));
+  return QString::fromStdString(translated(english));
 }
 
 QString deskText(const base::Message& message) {

@@ -31,13 +31,13 @@ void addLanguagesTo(QMenu& menu);
 
 /// Translates a text into the language of the desk; unchanged if the catalogue does not have it.
 /// For code outside of widgets, which use tr() with the same catalogue.
-std::string said(std::string_view english);
+std::string translated(std::string_view english);
 
 /// Translates a text and replaces its {} by the arguments.
 template <typename First, typename... Rest>
-std::string said(std::string_view english, First&& first, Rest&&... rest) {
+std::string translated(std::string_view english, First&& first, Rest&&... rest) {
   return fmt::format(
-      fmt::runtime(said(english)), std::forward<First>(first), std::forward<Rest>(rest)...);
+      fmt::runtime(translated(english)), std::forward<First>(first), std::forward<Rest>(rest)...);
 }
 
 /// Translates a text from outside study/gui, for a label.

@@ -167,15 +167,15 @@ QString statusInWords(SessionState state) {
 
 QString describeUnfinished(const UnfinishedSession& session) {
   return QString::fromStdString(
-      said(
+      translated(
           "{} ({}), begun {}, is in step {} of {}: {}.",
           session.participant,
-          said(nameOf(session.runMode)),
+          translated(nameOf(session.runMode)),
           localTime(session.startedUtc).toStdString(),
           session.step + 1,
           session.steps,
           describe(session.at, session.labels).toStdString()) +
-      " " + said(whatHappened(session)));
+      " " + translated(whatHappened(session)));
 }
 
 QString nativeName(const QString& language) {

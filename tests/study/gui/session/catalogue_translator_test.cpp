@@ -77,7 +77,7 @@ std::set<std::string> textsOfWindows(bool areForParticipants) {
   std::set<std::string> texts;
   for (const auto& source : sourcesIn(tests::repository() / "study" / "gui")) {
     if (isForParticipants(source) != areForParticipants) continue;
-    texts.merge(textsIn(tests::contentOf(source), "tr|said|deskText"));
+    texts.merge(textsIn(tests::contentOf(source), "tr|translated|deskText"));
   }
   return texts;
 }
@@ -180,12 +180,12 @@ TEST(CatalogueTranslator, TranslatesTheParticipantsWindowsAndNoOther) {
   CatalogueTranslator translator;
   translator.setLanguage("de");
   EXPECT_FALSE(translator.isEmpty());
-  const auto said = [&](const char* window, const char* english) {
+  const auto textOf = [&](const char* window, const char* english) {
     return translator.translate(window, english, nullptr, -1);
   };
-  EXPECT_EQ(said("study::gui::ParticipantWindow", "Next"), QStringLiteral("Weiter"));
-  EXPECT_TRUE(said("study::gui::OperatorWindow", "Next").isNull());
-  EXPECT_TRUE(said("study::gui::ParticipantWindow", "no such text").isNull());
+  EXPECT_EQ(textOf("study::gui::ParticipantWindow", "Next"), QStringLiteral("Weiter"));
+  EXPECT_TRUE(textOf("study::gui::OperatorWindow", "Next").isNull());
+  EXPECT_TRUE(textOf("study::gui::ParticipantWindow", "no such text").isNull());
 }
 
 TEST(CatalogueTranslator, LeavesEnglishInALanguageWithoutACatalogue) {
@@ -214,7 +214,7 @@ TEST_F(DeskLanguage, IsThatOfTheOperatorsWindowsOnly) {
   EXPECT_EQ(shown("study::gui::OperatorWindow", "Next"), QStringLiteral("Weiter"));
   EXPECT_EQ(shown("study::gui::HomeWindow", "Studies"), QStringLiteral("Studien"));
   EXPECT_EQ(deskText("live"), QStringLiteral("echt"));
-  EXPECT_EQ(said("{} warnings", 3), "3 Warnungen");
+  EXPECT_EQ(translated("{} warnings", 3), "3 Warnungen");
   // A session in English beside a German desk.
   EXPECT_EQ(shown("study::gui::ParticipantWindow", "Next"), QStringLiteral("Next"));
 }
@@ -233,7 +233,7 @@ TEST_F(DeskLanguage, IsEnglishWithoutACatalogue) {
   setDeskLanguage("tlh");
   EXPECT_EQ(deskLanguage(), "en");
   EXPECT_EQ(shown("study::gui::HomeWindow", "Studies"), QStringLiteral("Studies"));
-  EXPECT_EQ(said("{} warnings", 3), "3 warnings");
+  EXPECT_EQ(translated("{} warnings", 3), "3 warnings");
 }
 
 }  // namespace catalogue_translator_test
