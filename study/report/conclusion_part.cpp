@@ -244,12 +244,14 @@ class VerdictWriter {
       sentences.push_back(sentenceOn(kAlike, alike, inAny, false));
       sentences.push_back(sizesOf(alike));
     }
-    std::ranges::move(otherDifferences(family), std::back_inserter(sentences));
+    const bool isAnySaid = !higher.empty() || !lower.empty() || !mixed.empty();
+    std::ranges::move(otherDifferences(family, isAnySaid), std::back_inserter(sentences));
     return sentences;
   }
 
   /// The significant differences between alternatives other than the best one.
-  Names otherDifferences(const FamilyResult& family) const {
+  /// @param isAnySaid  whether a significant difference of the best one was said
+  Names otherDifferences(const FamilyResult& family, bool isAnySaid) const {
     struct Cohorts {
       Names all;
       Names pooledOnly;  ///< whose difference the paired t-test does not find
@@ -269,7 +271,8 @@ class VerdictWriter {
         }
       }
     }
-    if (pairs.size() > 1) {  // a list would push the figure off the first page
+    if (pairs.size() > 1) {      // a list would push the figure off the first page
+      if (isAnySaid) return {};  // the sentences on each cohort count them
       return {words_.say(
           "{} pairs of other methods differ significantly: see the table.", pairs.size())};
     }
