@@ -68,7 +68,9 @@ void CutTable::begin(const haptics::devices::DeviceKind& device, double rate) {
 /// The heads, with what a cell has below the name of a landmark, and columns as wide as heads and
 /// cells need: the table is narrow beside a participant's window.
 void CutTable::writeHeads(bool isCut) {
-  const auto units = u'\n' + tr("N · travel");
+  const auto unit = travel_.suffix.trimmed();
+  const auto ofDevice = QStringLiteral("N · ") + unit;
+  const auto units = u'\n' + (unit.isEmpty() ? tr("N · travel") : ofDevice);
   setHorizontalHeaderLabels(
       {tr("Interception") + units,
        tr("Yield") + units,
