@@ -109,7 +109,7 @@ class Records {
 
   /// How often each point was chosen in the questionnaires of completed sessions, in visits that
   /// were finished and not repeated. Equals counting the result of answers(), but does not keep the
-  /// answers: a million take 0.8 s (docs/decisions/0024). @throws StorageError
+  /// answers: a million take 0.7 s (docs/decisions/0024). @throws StorageError
   std::vector<PointCount> pointCounts(RunMode mode) const;
 
   std::vector<StoredTrial> trials() const;
