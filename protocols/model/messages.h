@@ -53,8 +53,6 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
      "'{}' takes the place of the instrument of this name in the library"},
     {"hides_library_instrument.fix",
      "give it an id of its own, so that nobody takes one for the other"},
-    {"other_cuts", "the text asks for {} cuts, and 'minimum_cuts' for {}"},
-    {"other_cuts.fix", "write the same number into both, in every language"},
     {"no_previous",
      "item '{}' compares with the previous, and '{}' can come first in this block, where there is "
      "none"},

@@ -1,10 +1,6 @@
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <set>
 #include <string>
-#include <string_view>
-#include <utility>
 
 #include "base/search.h"
 #include "protocols/model/messages.h"
@@ -99,46 +95,12 @@ bool hasUnlikeStatements(const Family& family, const Phase& phase) {
   return sets.size() > 1;
 }
 
-/// The number of cuts that a sentence asks for, as the library's texts do in their languages: 3 of
-/// "at least three cuts"; std::nullopt if it names none.
-std::optional<int> cutsAskedIn(const std::string& text) {
-  using Number = std::pair<std::string_view, int>;
-  constexpr auto kNumbers = std::to_array<Number>(
-      {{"1", 1},     {"2", 2},     {"3", 3},    {"4", 4},   {"5", 5},    {"6", 6},    {"two", 2},
-       {"three", 3}, {"four", 4},  {"five", 5}, {"six", 6}, {"zwei", 2}, {"drei", 3}, {"vier", 4},
-       {"fünf", 5},  {"sechs", 6}, {"to", 2},   {"tre", 3}, {"fire", 4}, {"fem", 5},  {"seks", 6}});
-  for (const std::string_view noun : {" cuts", " Schnitte", " kutt"}) {
-    const auto end = text.find(noun);
-    if (end == std::string::npos || end == 0) continue;
-    const auto before = text.rfind(' ', end - 1);
-    const auto begin = before == std::string::npos ? 0 : before + 1;
-    const auto word = std::string_view(text).substr(begin, end - begin);
-    const auto found = std::ranges::find(kNumbers, word, &Number::first);
-    if (found != kNumbers.end()) return found->second;
-  }
-  return std::nullopt;
-}
-
-void warnOfOtherCuts(const Phase& phase, const std::string& path, Problems& problems) {
-  for (const auto& [language, text] : phase.text.all()) {
-    const auto asked = cutsAskedIn(text);
-    if (!asked || *asked == phase.minimumCuts) continue;
-    problems.warn(
-        path + ".text." + language,
-        message("other_cuts", *asked, phase.minimumCuts),
-        message("other_cuts.fix"));
-  }
-}
-
 }  // namespace
 
 void addBlockWarnings(const LoadedProtocol& loaded, Problems& problems) {
   const auto& phases = loaded.protocol.phases;
   for (std::size_t i = 0; i < phases.size(); ++i) {
     if (phases[i].type == PhaseType::Block) BlockWarningCheck(loaded, i, problems).all();
-    if (phases[i].type == PhaseType::Benchmark) {
-      warnOfOtherCuts(phases[i], "$.phases[" + std::to_string(i) + "]", problems);
-    }
   }
 }
 
