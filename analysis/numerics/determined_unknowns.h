@@ -6,7 +6,7 @@
 namespace analysis {
 
 /// The number of unknowns that have one value in all solutions of a system of linear equations,
-/// whatever its right-hand sides are: those that are 0 in the whole null space of its coefficients.
+/// for any right-hand sides: those that are 0 in the whole null space of its coefficients.
 ///
 /// @param coefficients  a row an equation, each as long as the first; empty rows and no rows are
 ///                      allowed, and determine nothing.
