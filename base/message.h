@@ -110,7 +110,7 @@ class CheckedKey {
     if (placeholderCount(kKinds[index_].english) != kArguments) throw "wrong number of arguments";
   }
 
-  const MessageKind& kind() const noexcept { return kKinds[index_]; }
+  constexpr const MessageKind& kind() const noexcept { return kKinds[index_]; }
 
  private:
   std::size_t index_ = 0;

@@ -96,7 +96,7 @@ LinkRun LinkLoop::finish() {
   run_.processor = processorTime() - processorBefore_;
   // Reads the counts before disarming: afterwards the device's keep-alive thread changes them.
   run_.link = device_.link();
-  run_.fault = device_.fault();
+  run_.fault = base::describe(device_.fault());
   device_.disarm();
   return run_;
 }

@@ -1,7 +1,8 @@
 #include "haptics/devices/device.h"
 
-#include <array>
-#include <cstdio>
+#include <utility>
+
+#include "haptics/devices/messages.h"
 
 namespace haptics::devices {
 
@@ -17,14 +18,18 @@ const char* nameOf(Finding finding) noexcept {
   return "";
 }
 
-std::string formatNumbers(const char* format, double a, double b, double c) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), format, a, b, c);
-  return text.data();
+CheckResult passIf(
+    bool isGood, Finding otherwise, base::Message what, base::Message measured, base::Message fix) {
+  return {
+      isGood ? Finding::Pass : otherwise,
+      std::move(what),
+      std::move(measured),
+      isGood ? base::Message() : std::move(fix)};
 }
 
 std::vector<CheckResult> Device::check(double) {
-  return {{Finding::Pass, "simulated device", "nothing to connect", ""}};
+  return {
+      {Finding::Pass, deviceMessage("check.simulated"), deviceMessage("check.simulated.nothing")}};
 }
 
 }  // namespace haptics::devices

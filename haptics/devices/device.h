@@ -4,8 +4,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "haptics/devices/device_kind.h"
 #include "haptics/timing/clock_statistics.h"
 
@@ -31,18 +33,27 @@ const char* nameOf(Finding finding) noexcept;
 /// One result of the check of a device.
 struct CheckResult {
   Finding finding = Finding::Pass;
-  std::string what;      ///< what was checked: "telemetry rate"
-  std::string measured;  ///< the result, with its unit
-  std::string fix;       ///< how to correct it; empty for Pass
+  base::Message what;      ///< what was checked: "telemetry"
+  base::Message measured;  ///< the result, with its unit
+  base::Message fix{};     ///< how to correct it; empty for Pass
 };
 
-/// Up to three numbers as text, by a format of printf(), for CheckResult::measured.
-std::string formatNumbers(const char* format, double a, double b = 0.0, double c = 0.0);
+/// A result that passes, without @p fix, if @p isGood, and is @p otherwise if not.
+CheckResult passIf(
+    bool isGood, Finding otherwise, base::Message what, base::Message measured, base::Message fix);
 
-/// A device cannot be used; what() says which one, why, and what the operator can do.
+/// A device cannot be used: which one, why, and what the operator can do. what() says it in
+/// English.
 class DeviceError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit DeviceError(std::vector<base::Message> messages)
+      : std::runtime_error(base::describe(messages)), messages_(std::move(messages)) {}
+  explicit DeviceError(base::Message message) : DeviceError(std::vector{std::move(message)}) {}
+
+  const std::vector<base::Message>& messages() const noexcept { return messages_; }
+
+ private:
+  std::vector<base::Message> messages_;
 };
 
 /// Statistics of a connection: messages received, lost and sent, and their timing.
@@ -149,7 +160,7 @@ class Device {
   /// May be called from any thread.
   virtual Lifecycle lifecycle() const noexcept { return Lifecycle::Running; }
   /// A message about the present fault; empty if there is none. May be called from any thread.
-  virtual std::string fault() const { return {}; }
+  virtual base::Message fault() const { return {}; }
 
   /// Statistics of the connection since arm(). Called from the thread that ticks.
   virtual LinkReport link() { return {}; }

@@ -15,31 +15,26 @@
 #include <utility>
 
 #include "haptics/devices/device.h"
+#include "haptics/devices/messages.h"
 #include "haptics/timing/monotonic_clock.h"
 
 namespace haptics::devices {
 namespace {
 
-std::string openErrorMessage(const std::string& path, int error) {
+base::Message openErrorMessage(const std::string& path, int error) {
   if (error == ENOENT || error == ENODEV || error == ENXIO) {
     std::string there;
     for (const auto& port : serialPorts()) there += (there.empty() ? "" : ", ") + port;
-    return "There is no serial port " + path +
-           ". Is the device plugged in and switched on? Serial ports that are there: " +
-           (there.empty() ? "none" : there) + ".";
+    return there.empty() ? deviceMessage("device.no_port", path)
+                         : deviceMessage("device.no_port.others", path, there);
   }
   if (error == EACCES || error == EPERM) {
-    return "You may not use the serial port " + path +
-           ". Become a member of its group (on Debian: sudo adduser $USER dialout) and log in "
-           "again.";
+    return deviceMessage("device.port_forbidden", path);
   }
   if (error == EBUSY || error == EWOULDBLOCK) {
-    return "The serial port " + path +
-           " is in use by another program. End that one (another palpate, a serial monitor) and "
-           "try again.";
+    return deviceMessage("device.port_in_use", path);
   }
-  return "The serial port " + path + " cannot be opened: " + std::strerror(error) +
-         ". Unplug the device, plug it in again, and try again.";
+  return deviceMessage("device.port_failed", path, std::strerror(error));
 }
 
 constexpr std::array<std::pair<int, speed_t>, 6> kBaudRates{
@@ -59,7 +54,7 @@ const std::pair<int, speed_t>* speedOf(int baud) noexcept {
 void makeRaw(int descriptor, const std::string& path, int baud) {
   termios settings{};
   if (tcgetattr(descriptor, &settings) != 0) {
-    throw DeviceError(path + " is no serial port. Choose another in the device file.");
+    throw DeviceError(deviceMessage("device.port_no_port", path));
   }
   cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
@@ -71,8 +66,7 @@ void makeRaw(int descriptor, const std::string& path, int baud) {
     const auto* speed = speedOf(baud);
     if (speed == nullptr) {
       throw DeviceError(
-          "A serial port cannot go at " + std::to_string(baud) + " baud here. Choose " +
-          SerialPort::supportedSpeeds() + ", or 0 for USB.");
+          deviceMessage("device.port_speed", path, baud, SerialPort::supportedSpeeds()));
     }
     cfsetspeed(&settings, speed->second);
   }
@@ -89,8 +83,7 @@ bool SerialPort::supportsBaud(int baud) noexcept {
 std::string SerialPort::supportedSpeeds() {
   std::string text;
   for (const auto& [baud, speed] : kBaudRates) {
-    const bool isLast = baud == kBaudRates.back().first;
-    text += (text.empty() ? "" : isLast ? " or " : ", ") + std::to_string(baud);
+    text += (text.empty() ? "" : ", ") + std::to_string(baud);
   }
   return text;
 }

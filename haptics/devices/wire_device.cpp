@@ -1,6 +1,7 @@
 #include "haptics/devices/wire_device.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "haptics/devices/device.h"
@@ -18,7 +19,7 @@ void WireDevice::close() noexcept {
 }
 
 void WireDevice::finishOpening() {
-  faultMessage_.store("");
+  faultKind_.store(nullptr);
   setLifecycle(Lifecycle::Open);
   startKeepAlive();
 }
@@ -32,8 +33,8 @@ void WireDevice::startKeepAlive() {
         isNew_ = false;
         keepAlive();
       }
-      if (!isConnected()) fail("it has been unplugged, or its port has failed");
-      if (timing::now() - hostTime_ > keepAliveLimits_.silence) fail("it has fallen silent");
+      if (!isConnected()) fail("fault.unplugged");
+      if (timing::now() - hostTime_ > keepAliveLimits_.silence) fail("fault.silent");
     }
   });
 }
@@ -48,17 +49,17 @@ void WireDevice::resumeKeepAlive() noexcept {
   try {
     startKeepAlive();
   } catch (...) {
-    fail("no thread could be started to look after it");
+    fail("fault.no_thread");
   }
 }
 
 void WireDevice::arm() {
   stopKeepAlive();  // a fault that the keep-alive thread detected is handled below
   if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) {
-    const std::string why = fault();
-    throw DeviceError(
-        name() + " is not ready" + (why.empty() ? "" : ": " + why) +
-        ". Put that right and try again; the program then connects again.");
+    std::vector<base::Message> why;
+    if (auto present = fault(); !present.empty()) why.push_back(std::move(present));
+    why.push_back(deviceMessage("device.not_ready", place()));
+    throw DeviceError(std::move(why));
   }
   try {
     awaitReadiness();
@@ -82,6 +83,23 @@ void WireDevice::disarm() noexcept {
   resumeKeepAlive();
 }
 
+CheckResult WireDevice::noConnection(const DeviceError& error) {
+  return {
+      Finding::Fail,
+      deviceMessage("check.connection"),
+      deviceMessage("check.none"),
+      error.messages().front()};
+}
+
+CheckResult WireDevice::driftFinding(double drift) {
+  return passIf(
+      std::abs(drift) < 500.0,
+      Finding::Warn,
+      deviceMessage("check.clock"),
+      deviceMessage("check.clock.drift", drift),
+      deviceMessage("check.clock.fix"));
+}
+
 void WireDevice::setCheckedUnlessFailed(const std::vector<CheckResult>& results) noexcept {
   const auto isFailure = [](const CheckResult& result) { return result.finding == Finding::Fail; };
   if (std::any_of(results.begin(), results.end(), isFailure)) return;
@@ -89,15 +107,18 @@ void WireDevice::setCheckedUnlessFailed(const std::vector<CheckResult>& results)
   lifecycle_.compare_exchange_strong(open, Lifecycle::Checked);
 }
 
-void WireDevice::fail(const char* why) noexcept {
-  if (lifecycle() != Lifecycle::Faulted) faultMessage_.store(why);
+void WireDevice::fail(DeviceFault why) noexcept {
+  if (lifecycle() != Lifecycle::Faulted) {
+    faultJoint_.store(why.joint());
+    faultKind_.store(why.kind());
+  }
   disconnect(true);
   setLifecycle(Lifecycle::Faulted);
 }
 
-std::string WireDevice::fault() const {
-  const std::string why = faultMessage_.load();
-  return why.empty() ? why : name() + ": " + why;
+base::Message WireDevice::fault() const {
+  const auto* kind = faultKind_.load();
+  return DeviceFault(kind, faultJoint_.load()).of(place());
 }
 
 bool WireDevice::wait(std::int64_t deadline) noexcept {

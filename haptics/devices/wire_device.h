@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "haptics/devices/device.h"
+#include "haptics/devices/messages.h"
 #include "haptics/timing/clock_statistics.h"
 
 namespace haptics::devices {
@@ -31,7 +32,7 @@ class WireDevice : public Device, private Pacer {
   Lifecycle lifecycle() const noexcept override {
     return lifecycle_.load(std::memory_order_acquire);
   }
-  std::string fault() const override;
+  base::Message fault() const override;
   LinkReport link() override;
 
  protected:
@@ -44,8 +45,8 @@ class WireDevice : public Device, private Pacer {
 
   WireDevice(Capabilities capabilities, KeepAliveLimits limits);
 
-  /// The name with which error messages begin: "The punch on /dev/ttyACM0".
-  virtual std::string name() const = 0;
+  /// The port or address that messages name: "/dev/ttyACM0".
+  virtual std::string place() const = 0;
   virtual bool isConnected() const noexcept = 0;
   /// Closes the connection. If the protocol can transmit a reason, it is told @p isFault.
   virtual void disconnect(bool isFault) noexcept = 0;
@@ -72,11 +73,14 @@ class WireDevice : public Device, private Pacer {
   bool isKeepAliveRunning() const noexcept { return keepAliveThread_.joinable(); }
 
   void setLifecycle(Lifecycle state) noexcept { lifecycle_.store(state); }
+  /// The result of a check of a device that cannot be connected.
+  static CheckResult noConnection(const DeviceError& error);
+  /// The result about the drift of the device's clock [parts per million].
+  static CheckResult driftFinding(double drift);
   /// Changes the state from Open to Checked, unless a result is Fail or the device has failed in
   /// the meantime.
   void setCheckedUnlessFailed(const std::vector<CheckResult>& results) noexcept;
-  /// @param why  a message; the string must live as long as the program.
-  void fail(const char* why) noexcept;
+  void fail(DeviceFault why) noexcept;
   void resetCounts() noexcept;
 
   Capabilities capabilities_;
@@ -92,7 +96,9 @@ class WireDevice : public Device, private Pacer {
  private:
   KeepAliveLimits keepAliveLimits_;
   std::atomic<Lifecycle> lifecycle_{Lifecycle::Closed};
-  std::atomic<const char*> faultMessage_{""};
+  // The first fault since open(). The joint is written first, so whoever sees the kind sees both.
+  std::atomic<int> faultJoint_{0};
+  std::atomic<const base::MessageKind*> faultKind_{nullptr};
   std::jthread keepAliveThread_;
 };
 

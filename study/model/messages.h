@@ -8,8 +8,9 @@
 
 namespace study {
 
-/// Why a trial did not pass ("trial.…"), and what is wrong with files of a study. Messages of
-/// trials are stored by key and arguments, so neither may change.
+/// Why a trial did not pass ("trial.…"), whether a device suits a protocol ("preflight.…"), and
+/// what is wrong with files of a study ("traces.…"). Messages of trials are stored by key and
+/// arguments, so neither may change.
 inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"trial.broke_off", "the trial broke off ({})"},
     {"trial.broke_off.fault", "the trial broke off ({}: {})"},
@@ -47,6 +48,24 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
      "the scene gave more energy than it was given: it may have vibrated ({}×, {:.3f} s)"},
     {"trial.soft_start",
      "the force never came on: the scene asked for too much all along ({}×, {:.3f} s)"},
+    {"preflight.instrument", "instrument"},
+    {"preflight.instrument.fix", "The protocol needs a {} here."},
+    {"preflight.force", "force that the protocol asks for"},
+    {"preflight.force.limits", "{:g} N of {:g} N"},
+    {"preflight.force.fix",
+     "Scenes that ask for more are cut off, the same for every condition, and every trial says so; "
+     "scale the scenes (force_scale) or lower max_force_n."},
+    {"preflight.torque", "torque that the protocol asks for"},
+    {"preflight.torque.limits", "{:g} N·m of {:g} N·m"},
+    {"preflight.torque.fix",
+     "Scenes that ask for more are cut off, and every trial says so; scale the scenes "
+     "(force_scale) or lower max_torque_nm of the protocol."},
+    {"preflight.no_torque.fix",
+     "The device gives no torque, and every trial says so. Raise max_torque_nm in the device file "
+     "if the arm can give one."},
+    {"preflight.device_file", "device file"},
+    {"preflight.device_file.missing", "no device of that name"},
+    {"preflight.device_file.fix", "Add it to the device file, or give it that id."},
     {"traces.damaged", "{} is damaged: second {} of a trial is not what was recorded."},
     {"traces.unreadable", "the traces cannot be read; 'palpate study verify' says more"},
 });

@@ -105,7 +105,7 @@ int readBaud(const Node& node) {
   node.problem(
       "baud",
       "a serial port cannot go at " + std::to_string(baud) + " baud",
-      "write 0 for USB, or " + haptics::devices::SerialPort::supportedSpeeds());
+      "write 0 for USB, or one of " + haptics::devices::SerialPort::supportedSpeeds());
   return 0;
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "study/model/messages.h"
 #include "study/model/user_error.h"
 
 namespace study {
@@ -112,33 +113,35 @@ std::vector<CheckResult> preflight(
   const auto& can = device.capabilities();
   const bool isKind = can.kind == need->kind;
   if (isKind && !isOpen(device)) return found;  // an absent device cannot be checked further
-  found.push_back(
-      {isKind ? Finding::Pass : Finding::Fail,
-       "instrument",
-       std::string(can.kind->name),
-       isKind ? "" : fmt::format("The protocol needs a {} here.", need->kind->name)});
-  const bool isStrong = can.maxForce >= need->maxForce;
-  found.push_back(
-      {isStrong ? Finding::Pass : Finding::Warn,
-       "force that the protocol asks for",
-       fmt::format("{:g} N of {:g} N", need->maxForce, can.maxForce),
-       isStrong ? ""
-                : "Scenes that ask for more are cut off, the same for every condition, and every "
-                  "trial says so; scale the scenes (force_scale) or lower max_force_n."});
+  found.push_back(passIf(
+      isKind,
+      Finding::Fail,
+      message("preflight.instrument"),
+      base::Message::verbatim(std::string(can.kind->name)),
+      message("preflight.instrument.fix", need->kind->name)));
+  found.push_back(passIf(
+      can.maxForce >= need->maxForce,
+      Finding::Warn,
+      message("preflight.force"),
+      message("preflight.force.limits", need->maxForce, can.maxForce),
+      message("preflight.force.fix")));
   if (!need->needsTorque) return found;
-  const bool canTurn = can.maxTorque >= need->maxTorque;
-  found.push_back(
-      {canTurn ? Finding::Pass : Finding::Warn,
-       "torque that the protocol asks for",
-       can.rendersTorque() ? fmt::format("{:g} N·m of {:g} N·m", need->maxTorque, can.maxTorque)
-                           : "not rendered: torque",
-       canTurn ? ""
-       : can.rendersTorque()
-           ? "Scenes that ask for more are cut off, and every trial says so; scale the scenes "
-             "(force_scale) or lower max_torque_nm of the protocol."
-           : "The device gives no torque, and every trial says so. Raise max_torque_nm in the "
-             "device file if the arm can give one."});
+  found.push_back(passIf(
+      can.maxTorque >= need->maxTorque,
+      Finding::Warn,
+      message("preflight.torque"),
+      can.rendersTorque() ? message("preflight.torque.limits", need->maxTorque, can.maxTorque)
+                          : message("trial.no_torque"),
+      can.rendersTorque() ? message("preflight.torque.fix") : message("preflight.no_torque.fix")));
   return found;
+}
+
+CheckResult missingDevice() {
+  return {
+      Finding::Fail,
+      message("preflight.device_file"),
+      message("preflight.device_file.missing"),
+      message("preflight.device_file.fix")};
 }
 
 }  // namespace study

@@ -55,4 +55,7 @@ std::unique_ptr<DeviceSet> deviceSetFor(
 std::vector<haptics::devices::CheckResult> preflight(
     haptics::devices::Device& device, const protocols::DeviceRequirement* need, double seconds);
 
+/// The result for a device that the protocol needs and the device file lacks.
+haptics::devices::CheckResult missingDevice();
+
 }  // namespace study

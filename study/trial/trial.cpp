@@ -159,7 +159,7 @@ TrialRecord Trial::finish(TrialEnding ending) {
       .link = link,
       .hasTorque = scene_.hasTorque(),
       .isTorqueRendered = scene_.hasTorque() && device_.capabilities().rendersTorque(),
-      .deviceFault = fault};
+      .deviceFault = base::describe(fault)};
   try {
     keepChunk();
   } catch (const std::exception&) {

@@ -18,8 +18,9 @@ class FaultingDevice final : public haptics::devices::Device {
     return {.status = isFaulty_.load(std::memory_order_relaxed) ? Faulted : Ok};
   }
   void command(double /*force*/, double /*torque*/) noexcept override {}
-  std::string fault() const override {
-    return isFaulty_.load(std::memory_order_relaxed) ? "The encoder has failed." : "";
+  base::Message fault() const override {
+    return base::Message::verbatim(
+        isFaulty_.load(std::memory_order_relaxed) ? "The encoder has failed." : "");
   }
 
   /// May be called by any thread.

@@ -27,13 +27,11 @@ CheckResult sessionFinding(const MonitoringMessage& message) {
       !isGood   ? Finding::Fail
       : isReady ? Finding::Pass
                 : Finding::Warn,
-      "session",
-      std::string(kStateNames.at(state)) + ", connection " + kQualityNames.at(quality),
-      isGood && isReady ? ""
-      : isGood
-          ? "Start the robot's application."
-          : "Connect the controller directly to this computer, and give this program real-time "
-            "priority: the page on devices, \"Real time\", says how."};
+      deviceMessage("check.session"),
+      deviceMessage("check.session.state", kStateNames.at(state), kQualityNames.at(quality)),
+      isGood && isReady ? base::Message()
+      : isGood          ? deviceMessage("check.session.start")
+                        : deviceMessage("check.session.fix")};
 }
 
 const char* wordFor(ClientCommandMode mode) noexcept {
@@ -47,13 +45,12 @@ CheckResult commandModeMismatch(ClientCommandMode mode, ClientCommandMode wanted
   const std::string theirs = wordFor(mode);
   const std::string ours = wordFor(wanted);
   const bool canBeOurs = mode == ClientCommandMode::Wrench || mode == ClientCommandMode::Torque;
-  const std::string choose = "hoose " + ours + " in the robot's application.";
   return {
       Finding::Fail,
-      "force overlay",
-      "the robot takes: " + theirs + "; the device file's overlay is " + ours,
-      canBeOurs ? "Write \"overlay\": \"" + theirs + "\" in the device file, or c" + choose
-                : "C" + choose};
+      deviceMessage("check.overlay"),
+      deviceMessage("check.overlay.differs", theirs, ours),
+      canBeOurs ? deviceMessage("check.overlay.either", theirs, ours)
+                : deviceMessage("check.overlay.choose", ours)};
 }
 
 CheckResult commandingFinding(
@@ -66,22 +63,27 @@ CheckResult commandingFinding(
   if (mode && *mode != wanted) return commandModeMismatch(*mode, wanted);
   const bool isActive =
       message.connection && message.connection->state == SessionState::CommandingActive;
-  if (isActive && mode) return {Finding::Pass, "force overlay", "active", ""};
+  const auto what = deviceMessage("check.overlay");
+  if (isActive && mode) return {Finding::Pass, what, deviceMessage("check.overlay.active")};
   if (isActive) {
     return {
         Finding::Fail,
-        "force overlay",
-        "active, in a mode that the robot does not name",
-        std::string("Choose ") + wordFor(wanted) + " in the robot's application."};
+        what,
+        deviceMessage("check.overlay.unnamed"),
+        deviceMessage("check.overlay.choose", wordFor(wanted))};
+  }
+  if (hasWaited) {
+    return {
+        Finding::Warn,
+        what,
+        deviceMessage("check.overlay.waits"),
+        deviceMessage("check.overlay.start_or_choose")};
   }
   return {
       Finding::Warn,
-      "force overlay",
-      hasWaited ? "waits in COMMANDING_WAIT" : "not commanding yet",
-      std::string("Let the robot's application start its motion with the FRI overlay.") +
-          (hasWaited ? " If it has: the device file's \"overlay\" (wrench or torque) may be "
-                       "another than the robot's."
-                     : "")};
+      what,
+      deviceMessage("check.overlay.not_yet"),
+      deviceMessage("check.overlay.start")};
 }
 
 /// Reports the longest time [ns] without a message. A trial ends after @p limit [ns]; a short
@@ -89,67 +91,65 @@ CheckResult commandingFinding(
 CheckResult silenceFinding(std::int64_t longest, bool isLasting, std::int64_t limit) {
   constexpr std::int64_t kLongestExcusedSilence = timing::kSecond / 2;
   const double seconds = 1e-9 * static_cast<double>(longest);
-  const std::string measured =
-      longest <= limit ? formatNumbers("%.0f ms", 1e3 * seconds)
-                       : formatNumbers(
-                             isLasting ? "nothing has come from the arm for %.1f s (a trial ends "
-                                         "at %.0f ms)"
-                                       : "%.3f s (a trial ends at %.0f ms)",
-                             seconds,
-                             1e-6 * static_cast<double>(limit));
+  const double limitMs = 1e-6 * static_cast<double>(limit);
+  const auto what = deviceMessage("check.silence");
+  if (longest <= limit) {
+    return {Finding::Pass, what, deviceMessage("check.silence.short", 1e3 * seconds)};
+  }
+  if (isLasting) {
+    return {
+        Finding::Fail,
+        what,
+        deviceMessage("check.silence.lasting", seconds, limitMs),
+        deviceMessage("check.silence.lasting.fix")};
+  }
   return {
-      longest <= limit                                ? Finding::Pass
-      : isLasting || longest > kLongestExcusedSilence ? Finding::Fail
-                                                      : Finding::Warn,
-      "longest silence",
-      measured,
-      longest <= limit ? ""
-      : isLasting      ? "Is the application still running? Look at the SmartPad, and at the cable."
-                       : "End other programs on this computer, and use a direct cable; look at the "
-                         "SmartPad for what stopped it."};
+      longest > kLongestExcusedSilence ? Finding::Fail : Finding::Warn,
+      what,
+      deviceMessage("check.silence.long", seconds, limitMs),
+      deviceMessage("check.silence.long.fix")};
 }
 
 CheckResult safetyFinding(const MonitoringMessage& message) {
   const auto info = message.robotInfo.value_or(RobotInfo{});
   const bool isNormal =
       info.safetyState.value_or(SafetyState::NormalOperation) == SafetyState::NormalOperation;
-  return {
-      isNormal ? Finding::Pass : Finding::Fail,
-      "safety state",
-      isNormal ? "normal operation" : "safety stop",
-      isNormal ? "" : "Resolve the stop at the robot, then check again."};
+  return passIf(
+      isNormal,
+      Finding::Fail,
+      deviceMessage("check.safety"),
+      isNormal ? deviceMessage("check.safety.normal") : deviceMessage("check.safety.stop"),
+      deviceMessage("check.safety.fix"));
 }
 
 CheckResult cycleFinding(const LinkReport& link, double seconds, double rate) {
   const double seen = static_cast<double>(link.received) / seconds;
-  const bool isNear = std::abs(seen / rate - 1.0) < 0.05;
-  return {
-      isNear ? Finding::Pass : Finding::Warn,
-      "cycle",
-      formatNumbers("%.0f messages/s of %.0f", seen, rate),
-      isNear ? ""
-             : "End other programs on this computer; choose a longer send period on the robot."};
+  return passIf(
+      std::abs(seen / rate - 1.0) < 0.05,
+      Finding::Warn,
+      deviceMessage("check.cycle"),
+      deviceMessage("check.cycle.rate", seen, rate),
+      deviceMessage("check.cycle.fix"));
 }
 
 CheckResult anomalyFinding(const LinkReport& link) {
   const auto bad = link.lost + link.doubled + link.late + link.damaged + link.foreign;
-  return {
-      bad == 0 ? Finding::Pass : Finding::Warn,
-      "messages lost, doubled, late, damaged, foreign",
-      std::to_string(link.lost) + ", " + std::to_string(link.doubled) + ", " +
-          std::to_string(link.late) + ", " + std::to_string(link.damaged) + ", " +
-          std::to_string(link.foreign),
-      bad == 0 ? ""
-               : "Use a direct cable; no other computer on this network may send to this port."};
+  return passIf(
+      bad == 0,
+      Finding::Warn,
+      deviceMessage("check.messages"),
+      deviceMessage(
+          "check.messages.counts", link.lost, link.doubled, link.late, link.damaged, link.foreign),
+      deviceMessage("check.messages.fix"));
 }
 
 CheckResult torqueFinding(const Capabilities& capabilities) {
   return {
       Finding::Pass,
-      "torque at most",
-      capabilities.rendersTorque() ? formatNumbers("%.3g N·m", capabilities.maxTorque)
-                                   : "not rendered: torque",
-      ""};
+      deviceMessage("check.torque"),
+      capabilities.rendersTorque()
+          ? deviceMessage("check.torque.newton_metres", capabilities.maxTorque)
+          : deviceMessage("check.torque.none")};
 }
 
 }  // namespace
@@ -195,11 +195,12 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
   try {
     if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) open();
   } catch (const DeviceError& error) {
-    found.push_back({Finding::Fail, "connection", "none", error.what()});
-    return found;
+    return {noConnection(error)};
   }
   found.push_back(
-      {Finding::Pass, "connection", "FRI " + std::string(nameOf(settings_.version)), ""});
+      {Finding::Pass,
+       deviceMessage("check.connection"),
+       deviceMessage("check.connection.fri", nameOf(settings_.version))});
   stopKeepAlive();
   const ListenResult listened = listen(seconds);
   const bool isSilent = timing::now() - hostTime_ >= kLastingSilence;
@@ -213,33 +214,28 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
   found.push_back(anomalyFinding(report));
   found.push_back(
       {Finding::Pass,
-       "answer seen by the robot after",
-       formatNumbers(
-           "median %.0f µs, p99 %.0f µs",
+       deviceMessage("check.answer"),
+       deviceMessage(
+           "check.median_and_p99",
            report.roundTrip.quantile(0.5),
-           report.roundTrip.quantile(0.99)),
-       ""});
-  const char* wrong = guard_.reasonNotToCommand(joints_, jointVelocity_, JointVector::Zero());
-  found.push_back(
-      {wrong == nullptr ? Finding::Pass : Finding::Fail,
-       "joints",
-       wrong == nullptr ? "within their margins" : wrong,
-       wrong == nullptr ? "" : "Move the arm to its starting pose."});
+           report.roundTrip.quantile(0.99))});
+  const DeviceFault wrong = guard_.reasonNotToCommand(joints_, jointVelocity_, JointVector::Zero());
+  found.push_back(passIf(
+      !wrong,
+      Finding::Fail,
+      deviceMessage("check.joints"),
+      wrong ? wrong.of(place()) : deviceMessage("check.joints.good"),
+      deviceMessage("check.joints.fix")));
+  const auto& at = tool_.position;
   found.push_back(
       {Finding::Pass,
-       "tool",
-       formatNumbers(
-           "at %.4f, %.4f, %.4f m", tool_.position.x(), tool_.position.y(), tool_.position.z()),
-       ""});
-  if (report.drift) {
-    found.push_back(
-        {std::abs(*report.drift) < 500.0 ? Finding::Pass : Finding::Warn,
-         "clock against ours",
-         formatNumbers("%+.1f ppm", *report.drift),
-         ""});
-  }
+       deviceMessage("check.tool"),
+       deviceMessage("check.tool.place", at.x(), at.y(), at.z())});
+  if (report.drift) found.push_back(driftFinding(*report.drift));
   found.push_back(
-      {Finding::Pass, "force at most", formatNumbers("%.0f N", capabilities_.maxForce), ""});
+      {Finding::Pass,
+       deviceMessage("check.force"),
+       deviceMessage("check.force.newtons", capabilities_.maxForce)});
   found.push_back(torqueFinding(capabilities_));
   setCheckedUnlessFailed(found);
   startKeepAlive();  // from here on that thread updates what was received

@@ -38,10 +38,7 @@ Capabilities capabilitiesOf(const IiwaSettings& settings) {
 Endpoint robotOf(const IiwaSettings& settings) {
   const auto robot = endpointFrom(settings.robot);
   if (!robot || !(settings.axis.norm() > 0.0) || !settings.axis.allFinite()) {
-    throw DeviceError(
-        "The arm at '" + settings.robot +
-        "' needs a numeric address such as 172.31.1.147, and an axis of reaming that is not 0, in "
-        "the device file.");
+    throw DeviceError(deviceMessage("device.arm_settings", settings.robot));
   }
   return *robot;
 }
@@ -75,10 +72,7 @@ void IiwaDevice::open() {
     socket_.emplace(
         Endpoint{.address = robot_.isLoopback() ? 0x7F000001U : 0U, .port = settings_.port});
   } catch (const NetworkError& error) {
-    throw DeviceError(
-        name() + ": UDP port " + std::to_string(settings_.port) + " cannot be had (" +
-        error.what() +
-        "). End the other program that uses it, or choose another port here and on the robot.");
+    throw DeviceError(deviceMessage("device.arm_port", place(), settings_.port, error.what()));
   }
   lastMessage_ = {};
   sequence_ = {};
@@ -111,33 +105,26 @@ void IiwaDevice::awaitMessages() {
         lastMessage_.connection ? lastMessage_.connection->receiveMultiplier.value_or(1) : 1;
     const auto between = std::uint64_t{period} * multiplier;
     if (between > kLongestAnswerPeriod) {
-      throw DeviceError(
-          name() + " wants an answer every " + std::to_string(between) +
-          " ms only: too slow to feel. Set the send period of its application to 1 to 5 ms.");
+      throw DeviceError(deviceMessage("device.arm_slow", place(), between));
     }
     period_ = std::clamp<std::int64_t>(period, 1, 100) * kMillisecond;
     capabilities_.rate = 1e9 / static_cast<double>(period_ * std::max<std::int64_t>(multiplier, 1));
     return;
   }
-  throw DeviceError(name() + describeSilence());
+  throw DeviceError(describeSilence());
 }
 
-std::string IiwaDevice::describeSilence() const {
+base::Message IiwaDevice::describeSilence() const {
   if (report_.damaged > 0) {
-    return " sends what cannot be read as FRI " + std::string(nameOf(settings_.version)) +
-           ". Correct fri_version in the device file.";
+    return deviceMessage("device.arm_unreadable", place(), nameOf(settings_.version));
   }
-  const std::string nothing = " sends nothing to UDP port " + std::to_string(settings_.port);
   if (report_.foreign > 0) {
     std::string other = lastForeignSender_.text();
     other.erase(other.find(':'));
-    return nothing + ", but " + other + " does (" + std::to_string(report_.foreign) +
-           " datagrams): is that the robot? Then write \"robot_address\": \"" + other +
-           "\" in the device file.";
+    return deviceMessage(
+        "device.arm_elsewhere", place(), settings_.port, other, report_.foreign, other);
   }
-  return nothing +
-         ". Start the application with FRI on its SmartPad, with this computer's address as its "
-         "client.";
+  return deviceMessage("device.arm_silent", place(), settings_.port);
 }
 
 std::int64_t IiwaDevice::longestSilence() const noexcept {
@@ -159,11 +146,7 @@ void IiwaDevice::awaitReadiness() {
     answer(0.0, 0.0);
     if (state() == SessionState::CommandingActive) return;
   }
-  throw DeviceError(
-      name() +
-      " takes no forces: its session is not in COMMANDING_ACTIVE. Let the robot's application "
-      "start "
-      "its motion with the FRI overlay, and look there for what it waits for.");
+  throw DeviceError(deviceMessage("device.arm_no_forces", place()));
 }
 
 /// Receives until a valid message has arrived or the deadline has passed. If there are several
@@ -258,25 +241,23 @@ void IiwaDevice::updateMotion(std::int64_t at) noexcept {
   turn_ += std::remainder(turn - turn_, 2.0 * std::numbers::pi);  // also counts angles beyond ±π
 }
 
-/// Returns the reason to end a trial; nullptr if there is none.
-const char* IiwaDevice::reasonToEndTrial() const noexcept {
-  if (sequence_.restarts() > 0) return "its controller has begun a new session";
-  if (state() != SessionState::CommandingActive) {
-    return "its controller has stopped commanding; its SmartPad says why";
-  }
+/// Returns the reason to end a trial, if there is one.
+DeviceFault IiwaDevice::reasonToEndTrial() const noexcept {
+  if (sequence_.restarts() > 0) return "fault.new_session";
+  if (state() != SessionState::CommandingActive) return "fault.not_commanding";
   if (lastMessage_.robotInfo) {
     const auto& info = *lastMessage_.robotInfo;
     if (info.safetyState.value_or(SafetyState::NormalOperation) != SafetyState::NormalOperation) {
-      return "a safety stop of the robot is active";
+      return "fault.safety_stop";
     }
     for (const auto drive : info.driveStates) {
-      if (drive != DriveState::Active) return "its drives are not active";
+      if (drive != DriveState::Active) return "fault.drives";
     }
   }
   if (!lastMessage_.monitorData || !lastMessage_.monitorData->measuredPosition) {
-    return "it does not say where its joints are";
+    return "fault.no_joints";
   }
-  return nullptr;
+  return {};
 }
 
 bool IiwaDevice::isReamerOn() const noexcept {
@@ -301,12 +282,12 @@ DeviceSample IiwaDevice::read(double) noexcept {
   if (!isNew_) {
     ++report_.stale;
     if (timing::now() - hostTime_ <= longestSilence()) return sample;
-    fail("it has missed 20 cycles, or been silent for 50 ms");
+    fail("fault.missed_cycles");
     return {.status = DeviceStatus::NotAnswering};
   }
   isNew_ = false;
-  const char* wrong = reasonToEndTrial();
-  if (wrong == nullptr) {
+  DeviceFault wrong = reasonToEndTrial();
+  if (!wrong) {
     const auto& torque = lastMessage_.monitorData->measuredTorque;
     wrong = guard_.reasonNotToCommand(
         joints_, jointVelocity_, torque ? asVector(*torque) : JointVector(JointVector::Zero()));
@@ -314,10 +295,10 @@ DeviceSample IiwaDevice::read(double) noexcept {
   const bool isGood =
       lastMessage_.connection && lastMessage_.connection->quality >= ConnectionQuality::Good;
   if (isGood) lastGoodAt_ = hostTime_;
-  if (wrong == nullptr && hostTime_ - lastGoodAt_ > kMostSilence) {
-    wrong = "its connection has become worse than GOOD";
+  if (!wrong && hostTime_ - lastGoodAt_ > kMostSilence) {
+    wrong = "fault.poor_connection";
   }
-  if (wrong != nullptr) {
+  if (wrong) {
     fail(wrong);
     return {.status = DeviceStatus::Faulted};
   }

@@ -71,7 +71,7 @@ class IiwaDevice final : public WireDevice {
  private:
   using SessionState = wire::fri::SessionState;
 
-  std::string name() const override { return "The arm at " + settings_.robot; }
+  std::string place() const override { return settings_.robot; }
   bool isConnected() const noexcept override { return socket_.has_value(); }
   /// Sends nothing: a robot that receives no answer switches its force off.
   void disconnect(bool /*isFault*/) noexcept override { socket_.reset(); }
@@ -83,7 +83,7 @@ class IiwaDevice final : public WireDevice {
   void updateMotion(std::int64_t at) noexcept;
   void answer(double force, double torque) noexcept;
   void writeOverlay(wire::fri::CommandData& data, double force, double torque) noexcept;
-  const char* reasonToEndTrial() const noexcept;
+  DeviceFault reasonToEndTrial() const noexcept;
   bool isReamerOn() const noexcept;
   /// Measurements during a check that LinkReport lacks.
   struct ListenResult {
@@ -93,7 +93,7 @@ class IiwaDevice final : public WireDevice {
     std::optional<wire::fri::ClientCommandMode> mode;  ///< as the robot reported it
   };
   ListenResult listen(double seconds);
-  std::string describeSilence() const;
+  base::Message describeSilence() const;
   void awaitMessages();
   std::int64_t longestSilence() const noexcept;
   SessionState state() const noexcept;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "haptics/devices/iiwa/iiwa_kinematics.h"
+#include "haptics/devices/messages.h"
 
 namespace haptics::devices {
 
@@ -21,8 +22,8 @@ class IiwaGuard {
       : properties_(propertiesOf(model)), margins_(margins) {}
 
   /// Returns why an arm at @p joints [rad], moving with @p velocity [rad/s] and measuring @p torque
-  /// [N·m], must not be commanded; nullptr if it may be.
-  const char* reasonNotToCommand(
+  /// [N·m], must not be commanded; none if it may be.
+  DeviceFault reasonNotToCommand(
       const JointVector& joints,
       const JointVector& velocity,
       const JointVector& torque) const noexcept;

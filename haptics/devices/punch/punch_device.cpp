@@ -93,36 +93,27 @@ void PunchDevice::exchangeHello() {
     drain();
   }
   if (hasHello_) return;
-  throw DeviceError(
-      name() +
-      " does not answer. Is it the right port, is the motor's supply on, and does the "
-      "board run palpate's firmware (docs/devices.md)?");
+  throw DeviceError(deviceMessage("device.no_answer", place()));
 }
 
 void PunchDevice::requireExpectedBoard() const {
   if (hello_.protocolVersion != kProtocolVersion) {
     throw DeviceError(
-        name() + " speaks version " + std::to_string(hello_.protocolVersion) +
-        " of the protocol, and this program version " + std::to_string(kProtocolVersion) +
-        ". Put the firmware of this palpate on the board (docs/devices.md).");
+        deviceMessage("device.other_protocol", place(), hello_.protocolVersion, kProtocolVersion));
   }
   const std::uint64_t build = settings_.build.value_or(kFirmwareBuild);
   if (hello_.build != build) {
+    const auto theirs = inHex(hello_.build);
     throw DeviceError(
-        name() + " runs firmware " + inHex(hello_.build) + ", and not " + inHex(build) +
-        ". Put that one on the board, or write \"firmware\": \"" + inHex(hello_.build) +
-        "\" into the device file if it is meant.");
+        deviceMessage("device.other_firmware", place(), theirs, inHex(build), theirs));
   }
   if (settings_.serial && hello_.serial != *settings_.serial) {
     throw DeviceError(
-        name() + " is board " + std::to_string(hello_.serial) + ", and board " +
-        std::to_string(*settings_.serial) +
-        " is meant. Its calibration does not hold for another: connect the right one.");
+        deviceMessage("device.other_board", place(), hello_.serial, *settings_.serial));
   }
   if (hello_.rate < 100 || hello_.rate > 10'000 || hello_.largestVoltage <= 0) {
     throw DeviceError(
-        name() + " says of itself what cannot be (" + std::to_string(hello_.rate) + " Hz, " +
-        std::to_string(hello_.largestVoltage) + " mV). Put the firmware on the board again.");
+        deviceMessage("device.impossible_board", place(), hello_.rate, hello_.largestVoltage));
   }
 }
 
@@ -247,7 +238,7 @@ DeviceSample PunchDevice::read(double) noexcept {
   stopKeepAlive();
   if (lifecycle() == Lifecycle::Faulted) return {.status = DeviceStatus::NotAnswering};
   if (!port_.isOpen()) {
-    fail("it has been unplugged, or its port has failed");
+    fail("fault.unplugged");
     return {.status = DeviceStatus::NotAnswering};
   }
   drain();
@@ -260,7 +251,7 @@ DeviceSample PunchDevice::read(double) noexcept {
   if (!isNew_) {
     ++report_.stale;
     if (timing::now() - hostTime_ <= kSilenceTimeout) return sample;
-    fail("it has sent nothing for 50 ms");
+    fail("fault.board_silent");
     return {.status = DeviceStatus::NotAnswering};
   }
   isNew_ = false;
@@ -270,12 +261,12 @@ DeviceSample PunchDevice::read(double) noexcept {
   const bool leaps = report_.leaps > kToleratedLeaps;
   if (faults == 0 && isPlausible && !leaps) return sample;
   fail(
-      faults == 0 && !isPlausible     ? "it is where it cannot be: its encoder has lost count"
-      : faults == 0                   ? "its position leaps: check the encoder's cable"
-      : (faults & kDriverFault) != 0  ? "the motor's driver reports a fault"
-      : (faults & kEncoderFault) != 0 ? "its encoder jumps"
-      : (faults & kTooFast) != 0      ? "it moves faster than any hand"
-                                 : "it has let go by itself: it was restarted, or we were silent");
+      faults == 0 && !isPlausible     ? DeviceFault("fault.lost_count")
+      : faults == 0                   ? DeviceFault("fault.leaps")
+      : (faults & kDriverFault) != 0  ? DeviceFault("fault.driver")
+      : (faults & kEncoderFault) != 0 ? DeviceFault("fault.encoder")
+      : (faults & kTooFast) != 0      ? DeviceFault("fault.too_fast")
+                                      : DeviceFault("fault.let_go"));
   return {.status = DeviceStatus::Faulted};
 }
 

@@ -57,9 +57,7 @@ class PunchDevice final : public WireDevice {
   void renderOnDevice(const engine::SceneSpec& scene, double largestForce);
 
  private:
-  std::string name() const override {
-    return "The " + std::string(settings_.kind->name) + " on " + settings_.port;
-  }
+  std::string place() const override { return settings_.port; }
   bool isConnected() const noexcept override { return port_.isOpen(); }
   void disconnect(bool isFault) noexcept override;
   bool waitForMessage(std::int64_t deadline) noexcept override;

@@ -14,16 +14,17 @@ float f32(double value) {
   return static_cast<float>(value);
 }
 
-/// Names the feature of the model that the board cannot render; nullptr if it can render the model.
-const char* unsupportedFeature(const engine::InterpolationSpec& spec) {
-  if (spec.branches != engine::Branches::ClosingOnly) return "an opening branch";
-  if (spec.curve.size() > kLargestTable) return "a curve of more than 128 points";
-  return nullptr;
+/// Why the board cannot render the model; none if it can.
+DeviceFault unsupportedFeature(const engine::InterpolationSpec& spec) {
+  if (spec.branches != engine::Branches::ClosingOnly) return "device.scene.opening";
+  if (spec.curve.size() > kLargestTable) return "device.scene.long_curve";
+  return {};
 }
 
-const char* unsupportedFeature(const engine::FiniteElementsSpec& spec) {
-  if (!spec.elementStiffnesses.empty()) return "elements of different stiffness";
-  return spec.parameters.elements > 255 ? "more than 255 elements" : nullptr;
+DeviceFault unsupportedFeature(const engine::FiniteElementsSpec& spec) {
+  if (!spec.elementStiffnesses.empty()) return "device.scene.uneven";
+  if (spec.parameters.elements > 255) return "device.scene.many_elements";
+  return {};
 }
 
 void fillIn(Model& model, const engine::FiniteElementsSpec& spec) {
@@ -66,11 +67,11 @@ void fillIn(Model& model, const engine::KalmanSpec& spec) {
 struct ChipMessages {
   Model model;
   std::vector<ModelTable> tables;
-  const char* unsupported = nullptr;
+  DeviceFault unsupported;
 
   void operator()(const engine::InterpolationSpec& spec) {
     unsupported = unsupportedFeature(spec);
-    if (unsupported != nullptr) return;
+    if (unsupported) return;
     model.kind = ModelKind::Interpolation;
     fillIn(model, spec);
     addTables(spec);
@@ -82,16 +83,16 @@ struct ChipMessages {
   }
   void operator()(const engine::KalmanSpec& spec) {
     unsupported = unsupportedFeature(spec.interpolation);
-    if (unsupported == nullptr) unsupported = unsupportedFeature(spec.finiteElements);
-    if (spec.isProcessAsPrinted) unsupported = "Q as it is printed";
-    if (spec.smoothing != models::Smoothing::None) unsupported = "smoothing";
-    if (unsupported != nullptr) return;
+    if (!unsupported) unsupported = unsupportedFeature(spec.finiteElements);
+    if (spec.isProcessAsPrinted) unsupported = "device.scene.as_printed";
+    if (spec.smoothing != models::Smoothing::None) unsupported = "device.scene.smoothing";
+    if (unsupported) return;
     model.kind = ModelKind::Kalman;
     fillIn(model, spec);
     addTables(spec.interpolation);
   }
-  void operator()(const engine::MaterialSpec&) { unsupported = "bone"; }
-  void operator()(const engine::PackingSpec&) { unsupported = "bone"; }
+  void operator()(const engine::MaterialSpec&) { unsupported = "device.scene.bone"; }
+  void operator()(const engine::PackingSpec&) { unsupported = "device.scene.bone"; }
 
   void addTables(const engine::InterpolationSpec& spec) {
     for (std::size_t first = 0; first < spec.curve.size(); first += kTableChunk) {
@@ -121,19 +122,14 @@ ModelReply PunchDevice::awaitModelReply(std::int64_t deadline) {
     isNew_ = false;
     waitForMessage(deadline);
   }
-  if (!lastModelReply_)
-    throw DeviceError(name() + " does not answer to the scene it was sent. Try again.");
+  if (!lastModelReply_) throw DeviceError(deviceMessage("device.scene_unanswered", place()));
   return *lastModelReply_;
 }
 
 void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestForce) {
   ChipMessages messages;
   std::visit(messages, scene.model);
-  if (messages.unsupported != nullptr) {
-    throw DeviceError(
-        name() + " cannot render this scene by itself: it has " + messages.unsupported +
-        ". Let the host render it (\"renders\": \"host\" in the device file).");
-  }
+  if (messages.unsupported) throw DeviceError(messages.unsupported.of(place()));
   auto& model = messages.model;
   model.travelPerCount = f32(settings_.travelPerCount);
   model.travelAtZero = f32(settings_.travelAtZero);
@@ -141,7 +137,7 @@ void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestF
   model.largestForce = f32(largestForce);
 
   if (lifecycle() != Lifecycle::Open && lifecycle() != Lifecycle::Checked) {
-    throw DeviceError(name() + " is not ready to be sent a scene. Connect it, and try again.");
+    throw DeviceError(deviceMessage("device.scene_too_early", place()));
   }
   stopKeepAlive();
   sceneHash_.reset();
@@ -165,10 +161,9 @@ void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestF
   startKeepAlive();
   if (answer.verdict != ModelVerdict::Accepted || answer.hash != hash) {
     throw DeviceError(
-        name() + " did not take the scene as it was sent (" +
-        (answer.verdict == ModelVerdict::InvalidModel ? "it finds it unsound"
-                                                      : "its hash differs") +
-        "). Try again, or let the host render it.");
+        answer.verdict == ModelVerdict::InvalidModel
+            ? deviceMessage("device.scene_unsound", place())
+            : deviceMessage("device.scene_differs", place()));
   }
   sceneHash_ = hash;
 }

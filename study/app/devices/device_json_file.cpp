@@ -15,9 +15,9 @@ std::string checksAsJson(const std::vector<DeviceFindings>& found) {
     for (const auto& result : device.results) {
       findings.push_back(
           {{"finding", haptics::devices::nameOf(result.finding)},
-           {"what", result.what},
-           {"measured", result.measured},
-           {"fix", result.fix.empty() ? Json(nullptr) : Json(result.fix)}});
+           {"what", base::describe(result.what)},
+           {"measured", base::describe(result.measured)},
+           {"fix", result.fix.empty() ? Json(nullptr) : Json(base::describe(result.fix))}});
     }
     json["devices"].push_back(
         {{"id", device.device}, {"fit", isFit({device})}, {"findings", findings}});

@@ -23,12 +23,7 @@ std::vector<DeviceFindings> checkAll(
   }
   for (const auto& need : needs) {
     if (deviceSet.find(need.id) != nullptr) continue;
-    found.push_back(
-        {need.id,
-         {{Finding::Fail,
-           "device file",
-           "no device of that name",
-           "Add it to the device file, or give it that id."}}});
+    found.push_back({need.id, {missingDevice()}});
   }
   return found;
 }
@@ -47,8 +42,11 @@ std::string checksAsText(const std::vector<DeviceFindings>& found) {
     text += device.device + "\n";
     for (const auto& result : device.results) {
       text += fmt::format(
-          "  {}  {}: {}\n", haptics::devices::nameOf(result.finding), result.what, result.measured);
-      if (!result.fix.empty()) text += "        → " + result.fix + "\n";
+          "  {}  {}: {}\n",
+          haptics::devices::nameOf(result.finding),
+          base::describe(result.what),
+          base::describe(result.measured));
+      if (!result.fix.empty()) text += "        → " + base::describe(result.fix) + "\n";
     }
   }
   return text;

@@ -27,6 +27,12 @@ constexpr int kCommits = 40;
 constexpr double kPromptCommit = 0.02;  // [s]: not noticeable between pages
 constexpr double kSlowCommit = 0.2;     // [s]: clearly noticeable between pages
 
+/// A text of these windows, in the language of the desk.
+template <typename... Arguments>
+base::Message inWords(std::string_view english, Arguments&&... arguments) {
+  return base::Message::verbatim(translated(english, std::forward<Arguments>(arguments)...));
+}
+
 std::vector<FindingLine> testDevices(const SelfTestOptions& options, const Progress& progress) {
   const auto own = options.study / kDeviceFileName;
   const std::string file = !options.deviceFile.empty() ? options.deviceFile : own.string();
@@ -34,9 +40,8 @@ std::vector<FindingLine> testDevices(const SelfTestOptions& options, const Progr
     return {
         {"devices",
          {Finding::Pass,
-          "device file",
-          "none: devices are virtual, moved with the mouse or the space bar",
-          ""},
+          inWords("device file"),
+          inWords("none: devices are virtual, moved with the mouse or the space bar")},
          "",
          false}};
   }
@@ -49,13 +54,19 @@ std::vector<FindingLine> testDevices(const SelfTestOptions& options, const Progr
     for (const auto& entry : deviceSet.entries()) {
       announceProgress(progress, kUnknownShare, translated("listening to {}", entry.id));
       for (auto& result : preflight(*deviceSet.find(entry.id), nullptr, options.seconds)) {
-        result.what = entry.id + ": " + translated(result.what);
+        result.what =
+            base::Message::verbatim(entry.id + ": " + deskText(result.what).toStdString());
         lines.push_back({"devices", std::move(result), ""});
       }
     }
   } catch (const UserError& error) {
     lines.push_back(
-        {"devices", {Finding::Fail, "device file", error.what(), "Correct the device file."}, ""});
+        {"devices",
+         {Finding::Fail,
+          inWords("device file"),
+          base::Message::verbatim(error.what()),
+          inWords("Correct the device file.")},
+         ""});
   }
   return lines;
 }
@@ -77,13 +88,15 @@ FindingLine testCommits(const std::filesystem::path& folder) {
   } catch (const storage::StorageError& error) {
     return {
         "saving",
-        {Finding::Fail, "saving an answer", error.what(), "Choose a folder that may be written."},
+        {Finding::Fail,
+         inWords("saving an answer"),
+         base::Message::verbatim(error.what()),
+         inWords("Choose a folder that may be written.")},
         ""};
   }
 }
 
-FindingLine testFile(
-    const std::string& what, const std::string& file, const storage::Schema& schema) {
+FindingLine testFile(const char* what, const std::string& file, const storage::Schema& schema) {
   const auto name = std::filesystem::path(file).filename().string();
   std::string problems;
   try {
@@ -92,13 +105,14 @@ FindingLine testFile(
   } catch (const storage::StorageError& error) {
     problems = error.what();
   }
-  if (problems.empty()) return {"saving", {Finding::Pass, what, "no damage found", ""}, name};
+  if (problems.empty())
+    return {"saving", {Finding::Pass, inWords(what), inWords("no damage found")}, name};
   return {
       "saving",
       {Finding::Fail,
-       what,
-       translated("the file {} is damaged", name),
-       "Do not go on with it: restore the study from a copy."},
+       inWords(what),
+       inWords("the file {} is damaged", name),
+       inWords("Do not go on with it: restore the study from a copy.")},
       problems};
 }
 
@@ -109,15 +123,16 @@ constexpr double kLeastRefresh = 50.0;  // [Hz]
 FindingLine judgeScreen(const QScreen& screen) {
   const QSize size = screen.geometry().size();
   CheckResult found{
-      .what = screen.name().isEmpty() ? "resolution" : screen.name().toStdString(),
-      .measured = translated("{} × {} points", size.width(), size.height()),
-      .fix = ""};
+      .what = screen.name().isEmpty() ? inWords("resolution")
+                                      : base::Message::verbatim(screen.name().toStdString()),
+      .measured = inWords("{} × {} points", size.width(), size.height())};
   if (size.width() < kLeastWide || size.height() < kLeastHigh) {
     found.finding = Finding::Warn;
-    found.fix = "The windows need 1280 × 800 points: choose a higher resolution or less scaling.";
+    found.fix =
+        inWords("The windows need 1280 × 800 points: choose a higher resolution or less scaling.");
   } else if (screen.refreshRate() < kLeastRefresh) {
     found.finding = Finding::Warn;
-    found.fix = "Pictures come late: choose a refresh rate of 50 Hz or more.";
+    found.fix = inWords("Pictures come late: choose a refresh rate of 50 Hz or more.");
   }
   return {
       "screen",
@@ -132,9 +147,9 @@ FindingLine judgeGraphics() {
   return {
       "screen",
       {isFast ? Finding::Pass : Finding::Warn,
-       "pictures of simulations",
-       isFast ? "drawn by the graphics card" : "drawn by the processor",
-       graphics.remark.toStdString()},
+       inWords("pictures of simulations"),
+       inWords(isFast ? "drawn by the graphics card" : "drawn by the processor"),
+       base::Message::verbatim(graphics.remark.toStdString())},
       translated("drawn by {}", graphics.renderer->name().toStdString())};
 }
 
@@ -144,23 +159,23 @@ FindingLine evaluateTiming(const RealtimeLoop::Report& report, bool isRealtime, 
   constexpr double kRoughShare = 0.05;
   const auto ticks = static_cast<std::int64_t>(report.ticks);
   const auto late = static_cast<std::int64_t>(report.lateTicks);
-  CheckResult found{.what = "timing of forces", .measured = "", .fix = ""};
+  CheckResult found{.what = inWords("timing of forces"), .measured = {}};
   const char* words = "good: {} of {} updates of the force came late";
   if (static_cast<double>(late) > kRoughShare * static_cast<double>(ticks)) {
     words = "poor: {} of {} updates of the force came late";
     found.finding = Finding::Fail;
-    found.fix = "Forces would feel rough. Close other programs, or use another computer.";
+    found.fix = inWords("Forces would feel rough. Close other programs, or use another computer.");
   } else if (isOftenLate(late, ticks)) {
     words = "fair: {} of {} updates of the force came late";
     found.finding = Finding::Warn;
-    found.fix = "Trials would be marked. Close other programs; leave power saving off.";
+    found.fix = inWords("Trials would be marked. Close other programs; leave power saving off.");
   } else if (!isRealtime) {
     found.finding = Finding::Warn;
-    found.fix =
+    found.fix = inWords(
         "Other programs can delay forces. Allow real-time priority: the page on devices, \"Real "
-        "time\", says how.";
+        "time\", says how.");
   }
-  found.measured = translated(words, late, ticks);
+  found.measured = inWords(words, late, ticks);
   return {
       "timing",
       found,
@@ -176,18 +191,18 @@ FindingLine evaluateTiming(const RealtimeLoop::Report& report, bool isRealtime, 
 }
 
 FindingLine evaluateCommitTimes(const storage::CommitTimes& times, const std::string& folder) {
-  CheckResult found{.what = "saving an answer", .measured = "", .fix = ""};
+  CheckResult found{.what = inWords("saving an answer"), .measured = {}};
   const char* words = "fast: {:.1f} ms";
   if (times.median > kSlowCommit) {
     words = "very slow: {:.0f} ms";
     found.finding = Finding::Fail;
-    found.fix = "Every page would wait. Put the study on a disk inside this computer.";
+    found.fix = inWords("Every page would wait. Put the study on a disk inside this computer.");
   } else if (times.median > kPromptCommit) {
     words = "slow: {:.0f} ms";
     found.finding = Finding::Warn;
-    found.fix = "Pages come slowly. A disk inside this computer, an SSD, is faster.";
+    found.fix = inWords("Pages come slowly. A disk inside this computer, an SSD, is faster.");
   }
-  found.measured = translated(words, 1e3 * times.median);
+  found.measured = inWords(words, 1e3 * times.median);
   return {
       "saving",
       found,
@@ -221,9 +236,9 @@ std::vector<FindingLine> testScreens() {
     lines.push_back(
         {"screen",
          {Finding::Warn,
-          "participant's screen",
-          "there is one screen only",
-          "Connect a second one: the participant's window goes there by itself."},
+          inWords("participant's screen"),
+          inWords("there is one screen only"),
+          inWords("Connect a second one: the participant's window goes there by itself.")},
          ""});
   }
   lines.push_back(judgeGraphics());

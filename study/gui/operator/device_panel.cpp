@@ -79,8 +79,7 @@ void DevicePanel::refresh() {
   for (const auto& [id, line] : lines_) {
     const auto* device = deviceSet_->find(id);
     const auto name = QString::fromStdString(id) + QStringLiteral(": ");
-    const auto fault =
-        device == nullptr ? tr("not in the device file") : QString::fromStdString(device->fault());
+    const auto fault = device == nullptr ? tr("not in the device file") : deskText(device->fault());
     setRole(*line, fault.isEmpty() ? "quiet" : "bad");
     // A failed device is not opened again by itself: that is the operator's decision.
     const auto advice =
@@ -115,12 +114,7 @@ PartFindings DevicePanel::checkDevices() {
       announceProgress(progress, kUnknownShare, translated("listening to {}", need.id));
       auto* device = deviceSet_->find(need.id);
       if (device == nullptr) {
-        found.push_back(
-            {need.id,
-             {{Finding::Fail,
-               "device file",
-               "no device of that name",
-               "Add it to the device file, or give it that id."}}});
+        found.push_back({need.id, {missingDevice()}});
         continue;
       }
       found.push_back({need.id, preflight(*device, &need, kCheckDuration)});
@@ -135,7 +129,15 @@ PartFindings DevicePanel::checkDevices() {
       checkAll,
       BackgroundTask::Cancelling::Impossible);
   if (!isDone) {
-    found.push_back({"", {{Finding::Fail, "check", "it did not come to its end", "Try again."}}});
+    const auto inWords = [](const char* english) {
+      return base::Message::verbatim(translated(english));
+    };
+    found.push_back(
+        {"",
+         {{Finding::Fail,
+           inWords("check"),
+           inWords("it did not come to its end"),
+           inWords("Try again.")}}});
   }
   refresh();
   timer_.start(kRefreshInterval);

@@ -5,6 +5,7 @@
 
 #include "study/gui/scene/hip_scene.h"
 #include "study/gui/scene/simulation_view.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/session/trial_setup.h"
 
 namespace study::gui {
@@ -29,7 +30,7 @@ bool SessionController::tryTo(Action&& action) {
     action();
     return true;
   } catch (const std::exception& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(deskText(error));
     return false;
   }
 }

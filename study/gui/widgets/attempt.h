@@ -8,8 +8,8 @@
 
 namespace study::gui {
 
-/// Shows the message about @p topic, with @p why [UTF-8] it failed.
-void showFailure(QWidget* parent, MessageTopic topic, const char* why);
+/// Shows the message about @p topic, with what @p error says.
+void showFailure(QWidget* parent, MessageTopic topic, const std::exception& error);
 
 /// Runs @p action. If it throws, shows the message about @p topic with the error's own, and
 /// returns false.
@@ -21,7 +21,7 @@ bool attempt(QWidget* parent, MessageTopic topic, Action&& action) {
     action();
     return true;
   } catch (const std::exception& error) {
-    showFailure(parent, topic, error.what());
+    showFailure(parent, topic, error);
     return false;
   }
 }

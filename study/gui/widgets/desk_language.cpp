@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QTranslator>
 
+#include "haptics/devices/device.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "study/words/words.h"
@@ -98,6 +99,12 @@ QString deskText(std::string_view english) {
 
 QString deskText(const base::Message& message) {
   return QString::fromStdString(desk().texts.words()(message));
+}
+
+QString deskText(const std::exception& error) {
+  const auto* ofDevice = dynamic_cast<const haptics::devices::DeviceError*>(&error);
+  return ofDevice == nullptr ? QString::fromUtf8(error.what())
+                             : QString::fromStdString(desk().texts.words()(ofDevice->messages()));
 }
 
 }  // namespace study::gui

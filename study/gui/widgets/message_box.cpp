@@ -207,8 +207,8 @@ void showMessage(
   MessageBox(topic, arguments, why, parent).exec();
 }
 
-void showFailure(QWidget* parent, MessageTopic topic, const char* why) {
-  showMessage(parent, topic, {}, QString::fromUtf8(why));
+void showFailure(QWidget* parent, MessageTopic topic, const std::exception& error) {
+  showMessage(parent, topic, {}, deskText(error));
 }
 
 bool ask(QWidget* parent, MessageTopic topic, const QStringList& arguments, const QString& why) {

@@ -33,11 +33,15 @@ inline testing::AssertionResult says(const std::string& text, const std::string&
   if (text.find(words) != std::string::npos) return testing::AssertionSuccess();
   return testing::AssertionFailure() << '"' << text << "\" does not say \"" << words << '"';
 }
+inline testing::AssertionResult says(const base::Message& message, const std::string& words) {
+  return says(base::describe(message), words);
+}
 
 /// The result of the check that is called @p what; nullptr where there is none.
 inline const CheckResult* lineOf(const std::vector<CheckResult>& found, const std::string& what) {
-  const auto line = std::find_if(
-      found.begin(), found.end(), [&](const CheckResult& result) { return result.what == what; });
+  const auto line = std::find_if(found.begin(), found.end(), [&](const CheckResult& result) {
+    return base::describe(result.what) == what;
+  });
   return line == found.end() ? nullptr : &*line;
 }
 

@@ -389,9 +389,9 @@ TEST(FindingsDialog, ChecksAgainOnRequest) {
   const auto check = [&] {
     const CheckResult result{
         .finding = isPlugged ? Finding::Pass : Finding::Fail,
-        .what = "port",
-        .measured = isPlugged ? "open" : "none",
-        .fix = isPlugged ? "" : "Plug the device in."};
+        .what = base::Message::verbatim("port"),
+        .measured = base::Message::verbatim(isPlugged ? "open" : "none"),
+        .fix = base::Message::verbatim(isPlugged ? "" : "Plug the device in.")};
     return std::vector<FindingsDialog::PartFindings>{{"punch", {result}}};
   };
   FindingsDialog dialog(check(), FindingsDialog::Question::StartDespiteFailures, check, nullptr);
@@ -413,14 +413,21 @@ TEST(FindingsDialog, ChecksAgainOnRequest) {
   EXPECT_EQ(table->item(0, 3)->text(), QStringLiteral("Open"));
 }
 
+/// A finding in words of this test.
+haptics::devices::CheckResult resultIn(
+    haptics::devices::Finding finding, const char* what, const char* measured, const char* fix) {
+  using base::Message;
+  return {finding, Message::verbatim(what), Message::verbatim(measured), Message::verbatim(fix)};
+}
+
 TEST(FindingsTable, ShowsTheWorstFirstAndClaimsNoTestThatWasNotMade) {
   using haptics::devices::Finding;
   FindingsTable table(nullptr);
   table.show(
-      {{"a", {Finding::Pass, "x", "1", ""}, "", false},
-       {"b", {Finding::Pass, "x", "1", ""}},
-       {"c", {Finding::Fail, "x", "1", "Do it."}},
-       {"d", {Finding::Warn, "x", "1", "Look."}}});
+      {{"a", resultIn(Finding::Pass, "x", "1", ""), "", false},
+       {"b", resultIn(Finding::Pass, "x", "1", "")},
+       {"c", resultIn(Finding::Fail, "x", "1", "Do it.")},
+       {"d", resultIn(Finding::Warn, "x", "1", "Look.")}});
   QString parts;
   for (int row = 0; row < table.rowCount(); ++row) parts += table.item(row, 0)->text();
   EXPECT_EQ(parts, QStringLiteral("CDBA"));

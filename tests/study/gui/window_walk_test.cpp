@@ -22,6 +22,7 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "haptics/devices/messages.h"
 #include "haptics/engine/built_in_models.h"
 #include "haptics/recordings/recording.h"
 #include "protocols/load_protocol.h"
@@ -171,18 +172,23 @@ class Windows {
   }
 
   static Opened findings() {
+    using haptics::devices::deviceMessage;
     using haptics::devices::Finding;
     const std::vector<haptics::devices::CheckResult> results{
-        {Finding::Pass, "firmware", "protocol 1, board 7, up to 12.0 V, 1000 Hz", ""},
-        {Finding::Pass, "telemetry", "999 samples/s of 1000", ""},
+        {Finding::Pass,
+         deviceMessage("check.firmware"),
+         deviceMessage("check.firmware.found", 1, 7, 12.0, 1000)},
+        {Finding::Pass,
+         deviceMessage("check.telemetry"),
+         deviceMessage("check.telemetry.rate", 999.0, 1000.0)},
         {Finding::Warn,
-         "round trip",
-         "median 1210 µs, p99 4100 µs",
-         "Give this program real-time priority: the page on devices says how."},
+         deviceMessage("check.round_trip"),
+         deviceMessage("check.median_and_p99", 1210.0, 4100.0),
+         deviceMessage("check.round_trip.fix")},
         {Finding::Fail,
-         "faults that the board reports",
-         "its encoder jumps",
-         "Switch the punch off and on, then check again."}};
+         deviceMessage("check.board_faults"),
+         deviceMessage("check.board_faults.encoder"),
+         deviceMessage("check.board_faults.fix")}};
     const std::vector<FindingsDialog::PartFindings> found{{"punch", results}};
     return make<FindingsDialog>(
         found, FindingsDialog::Question::StartDespiteFailures, [found] { return found; }, nullptr);

@@ -10,6 +10,7 @@
 
 #include "analysis/data/reason.h"
 #include "analysis/summary/flags.h"
+#include "haptics/devices/messages.h"
 #include "haptics/recordings/import_messages.h"
 #include "haptics/registry/device_kinds.h"
 #include "protocols/load_protocol.h"
@@ -174,6 +175,7 @@ std::map<std::string_view, std::string_view> allMessages() {
   add(questionnaires::kWarnings);
   add(protocols::kMessages);
   add(haptics::recordings::kImportMessages);
+  add(haptics::devices::kDeviceMessages);
   add(kMessages);
   return all;
 }

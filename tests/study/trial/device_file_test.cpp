@@ -117,7 +117,7 @@ TEST(DeviceFile, RefusesUnknownSpeedsOfSerialPorts) {
   const auto words = objectionsTo(R"({"format": "palpate-devices-1", "devices": [
         {"id": "p", "type": "punch-serial", "port": "a", "newtons_per_volt": 1, "baud": 9600}]})");
   expectIn(words, "cannot go at 9600 baud");
-  expectIn(words, "write 0 for USB, or 115200, 230400, 460800, 921600, 1000000 or 2000000");
+  expectIn(words, "write 0 for USB, or one of 115200, 230400, 460800, 921600, 1000000, 2000000");
 }
 
 TEST(DeviceFile, ReportsThatAVersionNeedsQuotes) {
@@ -201,8 +201,8 @@ TEST(Preflight, WarnsIfTheProtocolNeedsMoreForceThanTheDeviceHas) {
   const protocols::DeviceRequirement need{.id = "spare", .kind = &reamerKind(), .maxForce = 300.0};
   const auto found = preflight(*deviceSet.find("spare"), &need, 0.1);
   EXPECT_EQ(found.back().finding, haptics::devices::Finding::Warn);
-  EXPECT_EQ(found.back().measured, "300 N of 140 N");
-  expectIn(found.back().fix, "force_scale");
+  EXPECT_EQ(base::describe(found.back().measured), "300 N of 140 N");
+  expectIn(base::describe(found.back().fix), "force_scale");
 }
 
 TEST(Preflight, PassesNothingOfADeviceThatIsNotThere) {
@@ -212,7 +212,7 @@ TEST(Preflight, PassesNothingOfADeviceThatIsNotThere) {
       [](const protocols::DeviceRequirement& need) { return simulatedHandFor(need, 1, {}, 0); });
   const protocols::DeviceRequirement need{.id = "punch", .kind = &punchKind(), .maxForce = 1.0};
   for (const auto& result : preflight(*deviceSet.find("punch"), &need, 0.1)) {
-    EXPECT_EQ(result.finding, haptics::devices::Finding::Fail) << result.what;
+    EXPECT_EQ(result.finding, haptics::devices::Finding::Fail) << base::describe(result.what);
   }
 }
 

@@ -107,7 +107,7 @@ TEST_F(TorqueTrialTest, IsPreparedByAPreflightThatNamesTheMissingTorque) {
   EXPECT_EQ(torqueOf(10.0).finding, Finding::Pass);
   EXPECT_EQ(torqueOf(1.0).finding, Finding::Warn) << "less than the protocol's limit of 5 N·m";
   EXPECT_EQ(torqueOf(0.0).finding, Finding::Warn);
-  EXPECT_EQ(torqueOf(0.0).measured, "not rendered: torque");
+  EXPECT_EQ(base::describe(torqueOf(0.0).measured), "not rendered: torque");
 }
 
 }  // namespace torque_trial_test

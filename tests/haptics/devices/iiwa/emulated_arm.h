@@ -141,7 +141,7 @@ class EmulatedArm : public testing::Test {
   void work(double force, int count = 30) {
     openAndArm();
     turns(force, count);
-    ASSERT_FALSE(isFaulted()) << device_->fault();
+    ASSERT_FALSE(isFaulted()) << base::describe(device_->fault());
     ASSERT_NEAR(report().force, -force, 0.5);
   }
 

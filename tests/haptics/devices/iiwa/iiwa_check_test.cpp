@@ -44,15 +44,19 @@ TEST_F(IiwaCheckTest, PassesItsCheck) {
   std::vector<CheckResult> found;
   during([&] { found = device_->check(0.2); });
   for (const auto& line : found) {
-    EXPECT_NE(line.finding, Finding::Fail) << line.what << ": " << line.measured;
+    EXPECT_NE(line.finding, Finding::Fail)
+        << base::describe(line.what) << ": " << base::describe(line.measured);
   }
   for (const char* what : {"connection", "session", "force overlay", "safety state", "joints"}) {
     ASSERT_NE(lineOf(found, what), nullptr) << what;
     EXPECT_EQ(lineOf(found, what)->finding, Finding::Pass) << what;
   }
-  EXPECT_EQ(lineOf(found, "session")->measured, "COMMANDING_ACTIVE, connection EXCELLENT");
   EXPECT_EQ(
-      lineOf(found, "messages lost, doubled, late, damaged, foreign")->measured, "0, 0, 0, 0, 0");
+      base::describe(lineOf(found, "session")->measured),
+      "COMMANDING_ACTIVE, connection EXCELLENT");
+  EXPECT_EQ(
+      base::describe(lineOf(found, "messages lost, doubled, late, damaged, foreign")->measured),
+      "0, 0, 0, 0, 0");
   EXPECT_EQ(device_->lifecycle(), Lifecycle::Checked);
   during([this] { device_->arm(); });
   turns(10.0, 5);

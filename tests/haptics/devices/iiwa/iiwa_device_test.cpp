@@ -43,7 +43,7 @@ TEST_P(IiwaSessionTest, ReachesCommandingAndGivesForceAgainstAdvancing) {
   EXPECT_EQ(report().state, SessionState::CommandingActive);
   for (const double force : {10.0, -4.0, 25.0}) {
     turns(force, 50);
-    ASSERT_FALSE(isFaulted()) << device_->fault();
+    ASSERT_FALSE(isFaulted()) << base::describe(device_->fault());
     EXPECT_NEAR(report().force, -force, 0.05);
   }
   EXPECT_EQ(device_->lifecycle(), Lifecycle::Running);
@@ -58,7 +58,7 @@ TEST_P(IiwaSessionTest, GivesATorqueAboutTheAxisAndTurnsByIt) {
   openAndArm();
   for (const double torque : {2.0, -1.5}) {
     turns(5.0, 100, torque);
-    ASSERT_FALSE(isFaulted()) << device_->fault();
+    ASSERT_FALSE(isFaulted()) << base::describe(device_->fault());
     EXPECT_NEAR(report().torque, torque, 0.01);
     EXPECT_NEAR(report().force, -5.0, 0.05);
     const auto sample = turn(5.0, torque);
@@ -85,7 +85,7 @@ TEST_P(IiwaSessionTest, ComputesTheTravelOfTheController) {
   for (int i = 0; i < 300; ++i) {
     const double travel = report().travel;  // of which the next message tells
     const auto sample = turn(5.0);
-    ASSERT_EQ(sample.status, DeviceStatus::Ok) << device_->fault();
+    ASSERT_EQ(sample.status, DeviceStatus::Ok) << base::describe(device_->fault());
     ASSERT_NEAR(sample.travel, travel, 1e-6);
     most = std::max(most, sample.travel);
   }
@@ -109,7 +109,7 @@ TEST_F(IiwaDeviceTest, ConnectsToARobotAtAnyAddress) {
   options.local.address = endpointFrom("127.0.0.2")->address;
   connect(mine, options);
   work(10.0);
-  EXPECT_FALSE(isFaulted()) << device_->fault();
+  EXPECT_FALSE(isFaulted()) << base::describe(device_->fault());
 }
 
 TEST_F(IiwaDeviceTest, AllocatesNothingInATick) {

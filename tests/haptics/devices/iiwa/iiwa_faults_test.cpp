@@ -30,7 +30,7 @@ TEST_F(IiwaFaultsTest, CountsExactlyWhatWentWrongOnTheWay) {
   order("nan 2");
   order("impostor 6");
   turns(5.0, 40);
-  EXPECT_FALSE(isFaulted()) << device_->fault();
+  EXPECT_FALSE(isFaulted()) << base::describe(device_->fault());
   const auto link = device_->link();
   EXPECT_EQ(link.lost, 3U + 3U + 2U + 2U);  // what cannot be read is not there
   EXPECT_EQ(link.doubled, 4U);
@@ -158,7 +158,7 @@ TEST_F(IiwaFaultsTest, BridgesAShortStall) {
   for (int i = 0; i < 20; ++i) stale += turn(10.0).status == DeviceStatus::Stale ? 1 : 0;
   EXPECT_EQ(stale, 4);
   EXPECT_EQ(device_->link().stale, before + 4);
-  EXPECT_FALSE(isFaulted()) << device_->fault();
+  EXPECT_FALSE(isFaulted()) << base::describe(device_->fault());
   EXPECT_NEAR(report().force, -10.0, 1e-3);
 }
 
@@ -178,7 +178,7 @@ TEST_F(IiwaFaultsTest, EndsWithASafetyStop) {
   order("safety-stop");
   EXPECT_EQ(turn(10.0).status, DeviceStatus::Faulted);
   EXPECT_TRUE(isFaulted());
-  EXPECT_TRUE(says(device_->fault(), "SmartPad")) << device_->fault();
+  EXPECT_TRUE(says(device_->fault(), "SmartPad")) << base::describe(device_->fault());
   EXPECT_EQ(report().force, 0.0);
 }
 
@@ -187,7 +187,7 @@ TEST_F(IiwaFaultsTest, EndsWithARestartOfTheController) {
   work(10.0);
   order("restart");
   EXPECT_EQ(turn(10.0).status, DeviceStatus::Faulted);
-  EXPECT_NE(device_->fault(), "");
+  EXPECT_FALSE(device_->fault().empty());
   EXPECT_EQ(report().force, 0.0);
 }
 
@@ -211,7 +211,7 @@ TEST_F(IiwaFaultsTest, ReconnectsAfterEveryFault) {
     for (int i = 0; i < 100; ++i) period();
   }
   work(10.0);
-  EXPECT_EQ(device_->fault(), "");
+  EXPECT_TRUE(device_->fault().empty());
 }
 
 // In real time, with a controller that goes on by itself.

@@ -22,8 +22,8 @@ JointVector only(Eigen::Index joint, double value) {
   return vector;
 }
 
-std::string words(const char* text) {
-  return text == nullptr ? "" : text;
+std::string words(DeviceFault fault) {
+  return base::describe(fault.of("arm"));
 }
 
 class IiwaGuardTest : public testing::TestWithParam<IiwaModel> {
@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST_P(IiwaGuardTest, FindsNothingWrongWithAnArmThatRests) {
-  EXPECT_EQ(guard_.reasonNotToCommand(kNothing, kNothing, kNothing), nullptr);
+  EXPECT_FALSE(guard_.reasonNotToCommand(kNothing, kNothing, kNothing));
 }
 
 TEST_P(IiwaGuardTest, KeepsEveryJointAwayFromItsEnds) {
@@ -50,7 +50,7 @@ TEST_P(IiwaGuardTest, KeepsEveryJointAwayFromItsEnds) {
     const auto wrongAt = [&](double position) {
       return words(guard_.reasonNotToCommand(only(i, position), kNothing, kNothing));
     };
-    const std::string near = "joint A" + std::to_string(i + 1) + " is near its end";
+    const std::string near = "arm: joint A" + std::to_string(i + 1) + " is near its end";
     for (const double side : {1.0, -1.0}) {
       EXPECT_EQ(wrongAt(side * (most - 1e-9)), "");
       EXPECT_EQ(wrongAt(side * (most + 1e-9)), near);
@@ -66,7 +66,7 @@ TEST_P(IiwaGuardTest, AllowsEveryJointAShareOfItsSpeed) {
     const auto wrongAt = [&](double velocity) {
       return words(guard_.reasonNotToCommand(kNothing, only(i, velocity), kNothing));
     };
-    const std::string fast = "joint A" + std::to_string(i + 1) + " is too fast";
+    const std::string fast = "arm: joint A" + std::to_string(i + 1) + " is too fast";
     for (const double side : {1.0, -1.0}) {
       EXPECT_EQ(wrongAt(side * (most - 1e-9)), "");
       EXPECT_EQ(wrongAt(side * (most + 1e-9)), fast);
@@ -81,7 +81,7 @@ TEST_P(IiwaGuardTest, AllowsEveryJointItsTorque) {
     const auto wrongAt = [&](double torque) {
       return words(guard_.reasonNotToCommand(kNothing, kNothing, only(i, torque)));
     };
-    const std::string overloaded = "joint A" + std::to_string(i + 1) + " is overloaded";
+    const std::string overloaded = "arm: joint A" + std::to_string(i + 1) + " is overloaded";
     for (const double side : {1.0, -1.0}) {
       EXPECT_EQ(wrongAt(side * most), "");
       EXPECT_EQ(wrongAt(side * (most + 1e-9)), overloaded);

@@ -313,7 +313,8 @@ TEST_F(IiwaMessagesTest, EndsWhereAJointIsTooFast) {
   }
   EXPECT_TRUE(says(device_->fault(), "joint A1 is too fast"));
   armAgain();
-  EXPECT_EQ(turn(0.0).status, DeviceStatus::Ok) << device_->fault();  // and has come to rest
+  EXPECT_EQ(turn(0.0).status, DeviceStatus::Ok)
+      << base::describe(device_->fault());  // and has come to rest
 }
 
 TEST_F(IiwaMessagesTest, EndsWhereAJointIsOverloaded) {
@@ -403,7 +404,7 @@ TEST_F(IiwaMessagesTest, TakesABoundedNumberOfDatagramsOfAFloodAtOnce) {
   EXPECT_EQ(takenAtOnce(), kMostAtOnce) << "of " << waiting;
   EXPECT_GT(takenAtOnce(), 0U) << "the rest is taken with the next message";
   say();
-  EXPECT_EQ(tick(0.0).status, DeviceStatus::Ok) << device_->fault();
+  EXPECT_EQ(tick(0.0).status, DeviceStatus::Ok) << base::describe(device_->fault());
 }
 
 TEST_F(IiwaMessagesTest, TakesABoundedNumberOfDatagramsWhileTheFloodGoesOn) {

@@ -271,7 +271,7 @@ Told attacked(const Attack& attack, bool hasEngine) {
     before = force;
   }
   told.leaps = device.link().leaps;
-  told.fault = device.fault();
+  told.fault = base::describe(device.fault());
   told.mostOnWire = board.mostTold();
   return told;
 }

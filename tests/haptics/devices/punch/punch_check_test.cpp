@@ -143,15 +143,16 @@ TEST_F(PunchCheckTest, PassesItsCheck) {
     found = device_->check(0.4);
   } while (!isFit(found) && timing::now() < until);
   for (const auto& line : found) {
-    EXPECT_NE(line.finding, Finding::Fail) << line.what << ": " << line.measured;
-    EXPECT_EQ(line.finding == Finding::Pass, line.fix.empty()) << line.what;
+    EXPECT_NE(line.finding, Finding::Fail)
+        << base::describe(line.what) << ": " << base::describe(line.measured);
+    EXPECT_EQ(line.finding == Finding::Pass, line.fix.empty()) << base::describe(line.what);
   }
   for (const char* what : {"firmware", "telemetry", "round trip", "travel", "force at most"}) {
     EXPECT_NE(lineOf(found, what), nullptr) << what;
   }
   const auto* lost = lineOf(found, "frames lost, doubled, late, damaged");
   ASSERT_NE(lost, nullptr);
-  EXPECT_EQ(lost->measured, "0, 0, 0, 0");
+  EXPECT_EQ(base::describe(lost->measured), "0, 0, 0, 0");
   EXPECT_EQ(lineOf(found, "faults that the board reports")->finding, Finding::Pass);
   EXPECT_EQ(device_->lifecycle(), Lifecycle::Checked);
 }
@@ -192,7 +193,7 @@ TEST_F(PunchCheckTest, FailsItsCheckWhenFramesAreLost) {
   EXPECT_EQ(device_->lifecycle() == Lifecycle::Checked, hasPassed);
   ASSERT_NE(lost, nullptr);
   EXPECT_EQ(lost->finding, Finding::Fail);
-  EXPECT_EQ(lost->measured, "20, 0, 0, 0");
+  EXPECT_EQ(base::describe(lost->measured), "20, 0, 0, 0");
   EXPECT_TRUE(says(lost->fix, "cable"));
 }
 
@@ -211,7 +212,7 @@ TEST_F(PunchCheckTest, WarnsOfALeapOfThePosition) {
   }
   ASSERT_NE(leaps, nullptr);
   EXPECT_EQ(leaps->finding, Finding::Warn);
-  EXPECT_EQ(leaps->measured, "1");
+  EXPECT_EQ(base::describe(leaps->measured), "1");
   EXPECT_TRUE(says(leaps->fix, "cable"));
 }
 

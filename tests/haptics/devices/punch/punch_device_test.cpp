@@ -43,7 +43,7 @@ TEST_F(PunchDeviceTest, ExchangesAThousandSamplesAtTheBoardsOwnPace) {
   device_->disarm();
   EXPECT_EQ(device_->lifecycle(), Lifecycle::Open);
   EXPECT_TRUE(waitUntil([&] { return !board_->isArmed(); }));
-  EXPECT_EQ(device_->fault(), "");
+  EXPECT_TRUE(device_->fault().empty());
 }
 
 TEST_F(PunchDeviceTest, FollowsTheTravel) {
@@ -160,7 +160,7 @@ TEST_F(PunchDeviceTest, CountsExactlyWhatWentWrongOnTheLine) {
     }
     for (int i = 0; i < 20; ++i) turn(1.0);
   } while (isFaulted() && timing::now() < until);
-  EXPECT_FALSE(isFaulted()) << device_->fault();
+  EXPECT_FALSE(isFaulted()) << base::describe(device_->fault());
   const auto done = injected();
   const auto all = [&](Fault fault) { return done[fault] - before[fault]; };
   EXPECT_EQ(all(Fault::Drop), 8U);

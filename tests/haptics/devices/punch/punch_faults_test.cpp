@@ -24,7 +24,7 @@ TEST_F(PunchFaultsTest, LetsGoWithinFiftyMillisecondsWhenItIsUnplugged) {
     EXPECT_EQ(device_->lifecycle(), Lifecycle::Faulted);
     ASSERT_TRUE(waitUntil([&] { return board_->force() == 0.0; }));
     after = board_->ask([](const auto& e) { return e.motorOffAfter(); });
-    EXPECT_TRUE(says(whyNot([&] { device_->arm(); }), device_->fault()));
+    EXPECT_TRUE(says(whyNot([&] { device_->arm(); }), base::describe(device_->fault())));
     EXPECT_TRUE(says(whyNot([&] { device_->open(); }), "no serial port"));
     board_->order("plug");
   }
@@ -40,7 +40,7 @@ TEST_F(PunchFaultsTest, ReconnectsAfterItWasUnplugged) {
     board_->order("plug");
   }
   EXPECT_TRUE(push(4.0));
-  EXPECT_EQ(device_->fault(), "");
+  EXPECT_TRUE(device_->fault().empty());
 }
 
 TEST_F(PunchFaultsTest, NoticesThatItIsUnpluggedWithoutTicks) {
@@ -48,7 +48,7 @@ TEST_F(PunchFaultsTest, NoticesThatItIsUnpluggedWithoutTicks) {
   device_->open();
   board_->order("unplug");
   EXPECT_TRUE(waitUntil([&] { return isFaulted(); }));
-  EXPECT_NE(device_->fault(), "");
+  EXPECT_FALSE(device_->fault().empty());
 }
 
 TEST_F(PunchFaultsTest, FaultsWhenTheBoardStopsSending) {

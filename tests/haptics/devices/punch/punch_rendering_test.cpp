@@ -37,7 +37,7 @@ TEST_F(PunchRenderingTest, LetsTheBoardRenderAsTheEngineWould) {
   for (int i = 0; i < 1400; ++i) {
     const auto sample = turn(7.5);  // as much as the board may give
     timing::sleepUntil(soon(kMillisecond / 2));
-    ASSERT_FALSE(isFaulted()) << device_->fault();
+    ASSERT_FALSE(isFaulted()) << base::describe(device_->fault());
     // Where we were late the board has let go, and comes back as fast as it may.
     if (timing::now() - std::exchange(last, timing::now()) > 5 * kMillisecond) settled = i + 20;
     if (i < settled || sample.status != DeviceStatus::Ok) continue;

@@ -31,7 +31,8 @@ TEST(SelfTest, JudgesTheClockByMissedTicksAndPriority) {
   EXPECT_EQ(evaluateTiming(reportOf(2000, 60), true, 1000.0).found.finding, Finding::Warn);
   const auto rough = evaluateTiming(reportOf(2000, 200), true, 1000.0).found;
   EXPECT_EQ(rough.finding, Finding::Fail);
-  EXPECT_NE(rough.measured.find("200 of 2000"), std::string::npos) << rough.measured;
+  const auto measured = base::describe(rough.measured);
+  EXPECT_NE(measured.find("200 of 2000"), std::string::npos) << measured;
   EXPECT_FALSE(rough.fix.empty());
   EXPECT_NE(
       evaluateTiming(reportOf(2000, 200), true, 1000.0).details.find("µs (median)"),
@@ -42,7 +43,8 @@ TEST(SelfTest, JudgesTheDiskByTheTimeOfACommit) {
   const auto judge = [](double median) {
     const auto line =
         evaluateCommitTimes({.commits = 40, .median = median, .longest = 2.0 * median}, "/x");
-    EXPECT_EQ(line.found.measured.find("/x"), std::string::npos) << "the folder is a detail";
+    EXPECT_EQ(base::describe(line.found.measured).find("/x"), std::string::npos)
+        << "the folder is a detail";
     EXPECT_NE(line.details.find("/x"), std::string::npos);
     return line.found;
   };
@@ -67,7 +69,7 @@ class StudySelfTest : public testing::Test {
 
   static const FindingLine* about(const std::vector<FindingLine>& lines, const std::string& what) {
     for (const auto& line : lines) {
-      if (line.found.what == what) return &line;
+      if (base::describe(line.found.what) == what) return &line;
     }
     return nullptr;
   }
@@ -81,8 +83,9 @@ TEST_F(StudySelfTest, TestsEveryPartAndLeavesNoFiles) {
   std::set<std::string> parts;
   for (const auto& line : lines) {
     parts.insert(line.part);
-    EXPECT_FALSE(line.found.measured.empty()) << line.found.what;
-    EXPECT_EQ(line.found.fix.empty(), line.found.finding == Finding::Pass) << line.found.what;
+    const auto what = base::describe(line.found.what);
+    EXPECT_FALSE(line.found.measured.empty()) << what;
+    EXPECT_EQ(line.found.fix.empty(), line.found.finding == Finding::Pass) << what;
   }
   EXPECT_EQ(parts, (std::set<std::string>{"devices", "saving", "timing"}));
   ASSERT_NE(about(lines, "answers"), nullptr);
@@ -107,17 +110,24 @@ TEST_F(StudySelfTest, TestsTheDevicesOfTheDeviceFile) {
   const auto lines = test();
   bool knowsPunch = false;
   for (const auto& line : lines) {
-    knowsPunch |= line.part == "devices" && line.found.what.starts_with("punch: ");
+    knowsPunch |= line.part == "devices" && base::describe(line.found.what).starts_with("punch: ");
   }
-  EXPECT_TRUE(knowsPunch) << lines.front().found.measured;
+  EXPECT_TRUE(knowsPunch) << base::describe(lines.front().found.measured);
+}
+
+/// A finding in words of this test.
+haptics::devices::CheckResult resultIn(
+    haptics::devices::Finding finding, const char* what, const char* measured, const char* fix) {
+  using base::Message;
+  return {finding, Message::verbatim(what), Message::verbatim(measured), Message::verbatim(fix)};
 }
 
 TEST_F(StudySelfTest, ListsEachPartOnceAndTheOneWithTheWorstFindingFirst) {
   FindingsTable table(nullptr);
   table.show(
-      {{"screen", {Finding::Pass, "desk", "1920 × 1080", ""}},
-       {"timing", {Finding::Fail, "clock", "late", "mend"}},
-       {"screen", {Finding::Warn, "second", "none", "connect"}}});
+      {{"screen", resultIn(Finding::Pass, "desk", "1920 × 1080", "")},
+       {"timing", resultIn(Finding::Fail, "clock", "late", "mend")},
+       {"screen", resultIn(Finding::Warn, "second", "none", "connect")}});
   table.resize(900, 700);
   table.QWidget::show();
   EXPECT_EQ(table.item(0, 0)->text(), QStringLiteral("Timing"));

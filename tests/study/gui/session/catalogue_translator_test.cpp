@@ -77,7 +77,7 @@ std::set<std::string> textsOfWindows(bool areForParticipants) {
   std::set<std::string> texts;
   for (const auto& source : sourcesIn(tests::repository() / "study" / "gui")) {
     if (isForParticipants(source) != areForParticipants) continue;
-    texts.merge(textsIn(tests::contentOf(source), "tr|translated|deskText"));
+    texts.merge(textsIn(tests::contentOf(source), "tr|translated|deskText|inWords"));
   }
   return texts;
 }
