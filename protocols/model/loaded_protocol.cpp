@@ -103,7 +103,14 @@ void fillInLabels(LoadedProtocol& loaded) {
       for (auto* text : place.texts) fillIn(*text, label);
     }
   }
-  for (auto& phase : loaded.protocol.phases) fillIn(phase.text, label);
+  for (auto& phase : loaded.protocol.phases) {
+    fillIn(phase.text, label);
+    auto words = phase.text.all();
+    for (auto& [language, sentence] : words) {
+      replaceAll(sentence, "{minimum_cuts}", std::to_string(phase.minimumCuts));
+    }
+    phase.text = LocalizedText(std::move(words));
+  }
 }
 
 std::vector<Placeholder> unfilledPlaceholdersIn(const LoadedProtocol& loaded) {

@@ -76,7 +76,8 @@ using FileFinder = std::function<std::optional<std::string>(const std::string& n
 
 /// Replaces placeholders in all texts that a participant may read by the protocol's word for an
 /// alternative (Labels::prefix): "{Label}" by the word itself, "{label}" by the word with a
-/// lower-case first letter, unless it is an abbreviation.
+/// lower-case first letter, unless it is an abbreviation. In the texts of phases "{minimum_cuts}"
+/// is replaced by the phase's number.
 void fillInLabels(LoadedProtocol& loaded);
 
 /// A text in double square brackets that the laboratory has not replaced yet, so that participants

@@ -111,6 +111,18 @@ TEST(ProtocolLibrary, LeavesNoLabelThatGivesAConditionAway) {
   }
 }
 
+TEST(ProtocolLibrary, AsksForAsManyBenchmarkCutsAsItRequires) {
+  for (const auto& name : kShipped) {
+    for (const auto& phase : read(name).loaded.protocol.phases) {
+      if (phase.type != PhaseType::Benchmark) continue;
+      for (const auto& [language, text] : phase.text.all()) {
+        EXPECT_NE(text.find(" " + std::to_string(phase.minimumCuts) + " "), std::string::npos)
+            << name << " " << language << ": " << text;
+      }
+    }
+  }
+}
+
 TEST(ProtocolLibrary, SaysInItsTitlesThatCutsAndBonesAreSynthetic) {
   for (const auto& name : kShipped) {
     const auto loaded = read(name).loaded;
