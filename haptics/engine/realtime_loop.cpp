@@ -97,6 +97,13 @@ class RealtimeLoop::Pace {
 
   /// Waits for the next tick and returns its lateness [ns]. Missed ticks are not made up for.
   std::int64_t wait() noexcept {
+    if (pacer_ != nullptr && isFirst_) {
+      isFirst_ = false;
+      // When the device's period begins is known only now, so its first message is never late.
+      pacer_->wait(due_ + 2 * period_);
+      due_ = now() + period_;
+      return 0;
+    }
     if (pacer_ != nullptr) {
       pacer_->wait(due_ + period_);  // the tick detects a silent device
     } else {
@@ -116,6 +123,7 @@ class RealtimeLoop::Pace {
   std::int64_t spin_;
   devices::Pacer* pacer_;
   std::int64_t due_;
+  bool isFirst_ = true;
 };
 
 RealtimeLoop::RealtimeLoop(const Options& options, Tick tick)

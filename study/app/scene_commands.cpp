@@ -77,8 +77,9 @@ std::string verdictOn(
     const bool isProved = slope.basis == haptics::engine::RenderedSlope::Basis::Proved;
     return isProved ? "PASS, whatever the hand does" : "PASS in the motions that were tried";
   }
-  return "WARN, the hand must add the rest; \"slope_limit\" makes a cut gentler, \"force_scale\" a "
-         "bone";
+  return device.kind->tissue == haptics::devices::Tissue::Bone
+             ? "WARN, the hand must add the rest; a shorter period of the device needs less"
+             : "WARN, the hand must add the rest; \"slope_limit\" makes a cut gentler";
 }
 
 /// Prints what the slope does not cover.

@@ -55,6 +55,15 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"preflight.force.fix",
      "Scenes that ask for more are cut off, the same for every condition, and every trial says so; "
      "scale the scenes (force_scale) or lower max_force_n."},
+    {"preflight.damping", "damping that the scenes need"},
+    {"preflight.damping.limits", "up to {:.3g} of {:.3g} N·s/{} at {:.0f} Hz"},
+    {"preflight.damping.fix",
+     "Scenes may vibrate unless the hand takes that up, and trials are judged by it: "
+     "\"slope_limit\" "
+     "makes a cut gentler."},
+    {"preflight.damping.fix.fri",
+     "Scenes may vibrate unless the hand takes that up, and trials are judged by it: choose a "
+     "shorter send period on the robot (2 or 1 ms)."},
     {"preflight.torque", "torque that the protocol asks for"},
     {"preflight.torque.limits", "{:g} N·m of {:g} N·m"},
     {"preflight.torque.fix",

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/passivity.h"
+#include "haptics/engine/rendered_slope.h"
 #include "study/model/messages.h"
 #include "study/model/user_error.h"
 
@@ -106,9 +109,39 @@ std::unique_ptr<DeviceSet> deviceSetFor(
       loadDevices(deviceFile.empty() ? own.string() : deviceFile), std::move(handFor));
 }
 
+namespace {
+
+/// Whether the device's damping takes up the energy that the scenes of @p id generate at its rate,
+/// for the scene that needs most; no condition is named, because operators are blinded.
+CheckResult dampingFinding(
+    const protocols::Protocol& protocol,
+    const std::string& id,
+    const haptics::devices::Capabilities& can) {
+  double needed = 0.0;
+  for (const auto& condition : protocol.conditions) {
+    if (condition.device != id) continue;
+    const auto scene = condition.scene();
+    const haptics::engine::Passivity passivity{
+        .stiffness = haptics::engine::renderedSlope(scene, *can.kind, can.rate).steepest,
+        .period = 1.0 / can.rate,
+        .filterDelay = haptics::engine::CompiledScene(scene).delay() / can.rate};
+    needed = std::max(needed, passivity.requiredDamping());
+  }
+  return passIf(
+      needed <= can.damping,
+      Finding::Warn,
+      message("preflight.damping"),
+      message("preflight.damping.limits", needed, can.damping, can.kind->travel.unit, can.rate),
+      can.kind->wire == haptics::devices::Wire::Fri ? message("preflight.damping.fix.fri")
+                                                    : message("preflight.damping.fix"));
+}
+
+}  // namespace
+
 std::vector<CheckResult> preflight(
-    Device& device, const protocols::DeviceRequirement* need, double seconds) {
+    Device& device, const protocols::Protocol* protocol, const std::string& id, double seconds) {
   auto found = device.check(seconds);
+  const auto* need = protocol == nullptr ? nullptr : protocol->device(id);
   if (need == nullptr) return found;
   const auto& can = device.capabilities();
   const bool isKind = can.kind == need->kind;
@@ -119,6 +152,7 @@ std::vector<CheckResult> preflight(
       message("preflight.instrument"),
       base::Message::verbatim(std::string(can.kind->name)),
       message("preflight.instrument.fix", need->kind->name)));
+  if (isKind) found.push_back(dampingFinding(*protocol, id, can));
   found.push_back(passIf(
       can.maxForce >= need->maxForce,
       Finding::Warn,

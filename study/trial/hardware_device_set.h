@@ -50,10 +50,13 @@ std::unique_ptr<DeviceSet> deviceSetFor(
     const std::filesystem::path& studyFolder,
     SimulatedDeviceSet::HandFor handFor);
 
-/// Runs the device's own checks for @p seconds, and compares the kind of instrument and the
-/// largest force with what the protocol needs.
+/// Runs the device's own checks for @p seconds. With a @p protocol it also compares the kind of
+/// instrument, the largest force and the damping with what the protocol's device @p id needs.
 std::vector<haptics::devices::CheckResult> preflight(
-    haptics::devices::Device& device, const protocols::DeviceRequirement* need, double seconds);
+    haptics::devices::Device& device,
+    const protocols::Protocol* protocol,
+    const std::string& id,
+    double seconds);
 
 /// The result for a device that the protocol needs and the device file lacks.
 haptics::devices::CheckResult missingDevice();

@@ -69,11 +69,9 @@ std::vector<DeviceFindings> findingsOf(const DeviceArguments& arguments) {
         " is there. docs/devices.md shows one, and 'palpate device check FILE' takes any other.");
   }
   HardwareDeviceSet deviceSet(loadDevices(arguments.file), anyHand);
-  std::vector<protocols::DeviceRequirement> needs;
-  if (!arguments.protocol.empty()) {
-    needs = loadValidProtocol(arguments.protocol).protocol.devices;
-  }
-  return checkAll(deviceSet, needs, arguments.seconds);
+  if (arguments.protocol.empty()) return checkAll(deviceSet, nullptr, arguments.seconds);
+  const auto loaded = loadValidProtocol(arguments.protocol);
+  return checkAll(deviceSet, &loaded.protocol, arguments.seconds);
 }
 
 int check(const DeviceArguments& arguments) {

@@ -16,7 +16,7 @@ struct EmulateArguments {
   std::string overlay = "wrench";
   std::string firmware;     ///< punch: firmware for the board, run under QEMU
   int rate = 1000;          ///< punch: rate of its loop [Hz]
-  int period = 5;           ///< iiwa: period of messages [ms]
+  int period = 2;           ///< iiwa: period of messages [ms]
   double advance = 7.0;     ///< iiwa: time in which the hand advances to the full depth [s]
   double clockDrift = 0.0;  ///< punch: drift of its clock [ppm]
   double seconds = 0.0;     ///< duration [s]; 0: until it is stopped

@@ -17,6 +17,7 @@
 #include "study/model/user_error.h"
 #include "study/session/verification.h"
 #include "study/storage/event_log.h"
+#include "study/storage/records.h"
 #include "study/trial/hardware_device_set.h"
 #include "study/words/counted.h"
 
@@ -79,7 +80,7 @@ bool runDeviceCheck(
         loadDevices(deviceFile), [&](const protocols::DeviceRequirement& need) {
           return simulatedHandFor(need, arguments.seed, {}, 0);
         });
-    const auto found = checkAll(deviceSet, protocol.devices, 2.0);
+    const auto found = checkAll(deviceSet, &protocol, 2.0);
     std::fputs(checksAsText(found).c_str(), stdout);
     if (isFit(found)) return true;
     if (watch.longest() < kDeviceTimeout || i == kMostChecks) return false;
@@ -155,6 +156,31 @@ std::vector<SimulatedSessionResult> runParticipants(
   return endings;
 }
 
+/// Whether a trial failed because this computer was too busy, which is no fault of the devices.
+bool isBusy(const storage::StoredTrial& trial) {
+  return std::ranges::any_of(trial.reasons, [](const base::Message& reason) {
+    return reason.key().starts_with("trial.device_silent") || reason.key() == "trial.rate";
+  });
+}
+
+/// Prints the verdict on each trial. Returns how many failed, and not for a busy computer.
+std::uint64_t printTrials(Study& study) {
+  std::uint64_t failures = 0;
+  for (const auto& trial : storage::Records(study.database()).trials()) {
+    const auto reasons = base::describe(trial.reasons);
+    fmt::print(
+        "session {} step {} attempt {}: {}{}{}\n",
+        static_cast<std::int64_t>(trial.step.visit.session),
+        trial.step.visit.step,
+        trial.step.visit.attempt,
+        nameOf(trial.verdict),
+        reasons.empty() ? "" : ", ",
+        reasons);
+    if (trial.verdict == Verdict::Fail && !isBusy(trial)) ++failures;
+  }
+  return failures;
+}
+
 /// Prints the final sentence. @return the exit status.
 int printVerdict(
     Study& study,
@@ -174,6 +200,14 @@ int printVerdict(
             describe(*firstIncomplete),
             place,
             isSound ? "" : " and does NOT verify"));
+  }
+  if (const auto failures = printTrials(study); failures > 0) {
+    return failed(
+        watch,
+        fmt::format(
+            "{} did not pass the checks, for the reasons above. The study is {}.",
+            words::counted(failures, "trial"),
+            place));
   }
   fmt::print(
       "{} '{}' on emulated devices. The study is {} and {}.\n",

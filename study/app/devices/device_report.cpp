@@ -9,19 +9,13 @@ namespace study::app {
 using haptics::devices::Finding;
 
 std::vector<DeviceFindings> checkAll(
-    HardwareDeviceSet& deviceSet,
-    const std::vector<protocols::DeviceRequirement>& needs,
-    double seconds) {
-  const auto needOf = [&](const std::string& id) {
-    const auto need =
-        std::find_if(needs.begin(), needs.end(), [&](const auto& n) { return n.id == id; });
-    return need == needs.end() ? nullptr : &*need;
-  };
+    HardwareDeviceSet& deviceSet, const protocols::Protocol* protocol, double seconds) {
   std::vector<DeviceFindings> found;
   for (const auto& entry : deviceSet.entries()) {
-    found.push_back({entry.id, preflight(*deviceSet.find(entry.id), needOf(entry.id), seconds)});
+    found.push_back({entry.id, preflight(*deviceSet.find(entry.id), protocol, entry.id, seconds)});
   }
-  for (const auto& need : needs) {
+  if (protocol == nullptr) return found;
+  for (const auto& need : protocol->devices) {
     if (deviceSet.find(need.id) != nullptr) continue;
     found.push_back({need.id, {missingDevice()}});
   }

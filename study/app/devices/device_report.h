@@ -13,12 +13,10 @@ struct DeviceFindings {
   std::vector<haptics::devices::CheckResult> results;
 };
 
-/// Checks every device of @p deviceSet for @p seconds, and compares the devices in @p needs with
-/// the protocol's requirements. A missing device is a finding.
+/// Checks every device of @p deviceSet for @p seconds, and compares it with what a @p protocol
+/// needs, unless that is nullptr. A missing device is a finding.
 std::vector<DeviceFindings> checkAll(
-    HardwareDeviceSet& deviceSet,
-    const std::vector<protocols::DeviceRequirement>& needs,
-    double seconds);
+    HardwareDeviceSet& deviceSet, const protocols::Protocol* protocol, double seconds);
 
 /// Whether there is no finding FAIL.
 bool isFit(const std::vector<DeviceFindings>& found) noexcept;

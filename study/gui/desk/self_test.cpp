@@ -53,7 +53,8 @@ std::vector<FindingLine> testDevices(const SelfTestOptions& options, const Progr
     HardwareDeviceSet deviceSet(loadDevices(file), anyHand);
     for (const auto& entry : deviceSet.entries()) {
       announceProgress(progress, kUnknownShare, translated("listening to {}", entry.id));
-      for (auto& result : preflight(*deviceSet.find(entry.id), nullptr, options.seconds)) {
+      for (auto& result :
+           preflight(*deviceSet.find(entry.id), nullptr, entry.id, options.seconds)) {
         result.what =
             base::Message::verbatim(entry.id + ": " + deskText(result.what).toStdString());
         lines.push_back({"devices", std::move(result), ""});

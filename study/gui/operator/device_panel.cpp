@@ -117,7 +117,7 @@ PartFindings DevicePanel::checkDevices() {
         found.push_back({need.id, {missingDevice()}});
         continue;
       }
-      found.push_back({need.id, preflight(*device, &need, kCheckDuration)});
+      found.push_back({need.id, preflight(*device, &protocol_, need.id, kCheckDuration)});
     }
   };
   // No trial can begin meanwhile, because the modal dialog takes all clicks until the check is

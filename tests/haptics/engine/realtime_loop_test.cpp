@@ -127,6 +127,18 @@ TEST(RealtimeLoop, FollowsThePaceOfADevice) {
   EXPECT_GE(soon, 10);
 }
 
+TEST(RealtimeLoop, CallsTheFirstMessageOfADeviceNotLate) {
+  ThreadPacer pacer;
+  std::atomic<double> first{-1.0};
+  RealtimeLoop loop({.rate = 2.0, .pacer = &pacer}, [&](double, double lateness) {
+    if (first < 0.0) first = lateness;
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // within its first period
+  pacer.signal();
+  while (first < 0.0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(first, 0.0);
+}
+
 TEST(RealtimeLoop, TicksOnWhenTheDeviceStopsSoThatTheFaultIsNoticed) {
   ThreadPacer silent;
   std::atomic<int> late{0};

@@ -6,6 +6,7 @@
 
 #include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/punch/punch_kind.h"
+#include "protocols/load_protocol.h"
 #include "study/session/session.h"
 #include "study/trial/hardware_device_set.h"
 #include "tests/support/scratch_folder.h"
@@ -198,11 +199,34 @@ TEST(Preflight, WarnsIfTheProtocolNeedsMoreForceThanTheDeviceHas) {
   HardwareDeviceSet deviceSet(
       *readDevices(kBoth, problems),
       [](const protocols::DeviceRequirement& need) { return simulatedHandFor(need, 1, {}, 0); });
-  const protocols::DeviceRequirement need{.id = "spare", .kind = &reamerKind(), .maxForce = 300.0};
-  const auto found = preflight(*deviceSet.find("spare"), &need, 0.1);
+  protocols::Protocol protocol;
+  protocol.devices = {{.id = "spare", .kind = &reamerKind(), .maxForce = 300.0}};
+  const auto found = preflight(*deviceSet.find("spare"), &protocol, "spare", 0.1);
   EXPECT_EQ(found.back().finding, haptics::devices::Finding::Warn);
   EXPECT_EQ(base::describe(found.back().measured), "300 N of 140 N");
   expectIn(base::describe(found.back().fix), "force_scale");
+}
+
+TEST(Preflight, WarnsOfADeviceThatIsTooSlowForTheStiffestScene) {
+  questionnaires::Problems problems;
+  auto loaded = protocols::loadProtocolFile("reaming-hardness", problems);
+  ASSERT_TRUE(loaded);
+  const auto& need = loaded->protocol.devices.front();
+  const auto hand = simulatedHandFor(need, 1, {}, 0);
+  const auto dampingAt = [&](double rate) {
+    auto capabilities = haptics::devices::simulated(reamerKind());
+    capabilities.damping = 60.0;
+    capabilities.rate = rate;
+    haptics::devices::SimulatedDevice device(capabilities, reamerKind().mechanism, *hand);
+    for (auto& result : preflight(device, &loaded->protocol, need.id, 0.1)) {
+      if (result.what.key() == "preflight.damping") return result;
+    }
+    return haptics::devices::CheckResult{};
+  };
+  EXPECT_EQ(dampingAt(500.0).finding, haptics::devices::Finding::Pass);
+  const auto slow = dampingAt(200.0);
+  EXPECT_EQ(slow.finding, haptics::devices::Finding::Warn);
+  EXPECT_EQ(base::describe(slow.measured), "up to 125 of 60 N·s/m at 200 Hz") << "K T/2";
 }
 
 TEST(Preflight, PassesNothingOfADeviceThatIsNotThere) {
@@ -210,8 +234,9 @@ TEST(Preflight, PassesNothingOfADeviceThatIsNotThere) {
   HardwareDeviceSet deviceSet(
       *readDevices(kBoth, problems),
       [](const protocols::DeviceRequirement& need) { return simulatedHandFor(need, 1, {}, 0); });
-  const protocols::DeviceRequirement need{.id = "punch", .kind = &punchKind(), .maxForce = 1.0};
-  for (const auto& result : preflight(*deviceSet.find("punch"), &need, 0.1)) {
+  protocols::Protocol protocol;
+  protocol.devices = {{.id = "punch", .kind = &punchKind(), .maxForce = 1.0}};
+  for (const auto& result : preflight(*deviceSet.find("punch"), &protocol, "punch", 0.1)) {
     EXPECT_EQ(result.finding, haptics::devices::Finding::Fail) << base::describe(result.what);
   }
 }

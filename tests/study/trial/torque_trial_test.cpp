@@ -102,7 +102,9 @@ TEST_F(TorqueTrialTest, IsPreparedByAPreflightThatNamesTheMissingTorque) {
     capabilities.maxTorque = maxTorque;
     haptics::devices::SimulatedDevice device(
         capabilities, haptics::devices::reamerKind().mechanism, *hand_);
-    return preflight(device, &need_, 0.1).back();
+    protocols::Protocol protocol;
+    protocol.devices = {need_};
+    return preflight(device, &protocol, need_.id, 0.1).back();
   };
   EXPECT_EQ(torqueOf(10.0).finding, Finding::Pass);
   EXPECT_EQ(torqueOf(1.0).finding, Finding::Warn) << "less than the protocol's limit of 5 N·m";
