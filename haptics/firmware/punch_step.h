@@ -1,7 +1,6 @@
 #pragma once
 
 #include "haptics/models/finite_elements.h"
-#include "haptics/models/fixed_point.h"
 #include "haptics/models/interpolation.h"
 #include "haptics/models/kalman_filter.h"
 
@@ -102,45 +101,6 @@ class InterpolationPunch {
   ElementsPunch<kElements> elements_;
   models::Interpolation<float> curve_{kCut, kCutPoints, {}};
   size_t hint_ = 0;
-};
-
-/// A full step in fixed-point arithmetic, without a mesh and with the filter's steady-state gains.
-class FixedPunch {
- public:
-  using Fixed = models::Fixed;
-
-  FixedPunch() noexcept : filter_(models::SteadyStateFilter<Fixed>::gainsOf(noise())) {
-    models::Interpolation<float> curve{kCut, kCutPoints, {}};
-    size_t hint = 0;
-    for (int i = 0; i < kPoints; ++i) {
-      const auto travel = static_cast<float>(curve_.travelAt(i).asDouble());
-      curve_.set(i, Fixed(static_cast<double>(curve.at(travel, hint).force)));
-    }
-  }
-
-  Fixed step(Fixed travel) noexcept {
-    const Fixed elastic = elements_.at(travel, state_).force;
-    const Fixed recorded = curve_.at(travel).force;
-    const Fixed travelled = hasTravel_ ? travel - last_ : Fixed();
-    last_ = travel;
-    hasTravel_ = true;
-    return filter_.step(travelled, elastic, recorded);
-  }
-
- private:
-  static constexpr int kPoints = 74;  // 2 to 11.1 travel units
-  static constexpr int kShift = 13;   // distance of 1/8 travel unit
-
-  static constexpr models::KalmanFilter<double>::Noise noise() noexcept {
-    return models::KalmanNoise<double>().factored();
-  }
-
-  models::FiniteElements<Fixed> elements_{models::FiniteElements<Fixed>::Parameters()};
-  models::FiniteElements<Fixed>::State state_;
-  models::UniformCurve<kPoints, kShift> curve_{Fixed(2)};
-  models::SteadyStateFilter<Fixed> filter_;
-  Fixed last_;
-  bool hasTravel_ = false;
 };
 
 }  // namespace haptics::firmware

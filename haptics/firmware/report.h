@@ -6,10 +6,10 @@
 
 namespace haptics::firmware {
 
-/// The travel of three cuts, from 0 to 11 travel units and back, in steps that Q16.16 represents
-/// exactly.
+/// The travel of three cuts, from 0 to 11 travel units and back, in steps of 1/16, which single
+/// precision represents exactly [2⁻¹⁶ travel units].
 inline constexpr int kSteps = 3 * 2 * 176;
-inline constexpr int32_t kTravelStep = 4096;  // 1/16 travel unit, in Q16.16
+inline constexpr int32_t kTravelStep = 4096;
 
 constexpr int32_t travelAt(int step) noexcept {
   constexpr int kWay = 176;
@@ -35,7 +35,6 @@ class Report {
   void run() {
     floats<5>("float-5", "instructions-float-5");
     floats<15>("float-15", "instructions-float-15");
-    fixedPoint();
     cost<InterpolationPunch<5>>("instructions-interpolation-5");
     cost<InterpolationPunch<10>>("instructions-interpolation-10");
     cost<InterpolationPunch<15>>("instructions-interpolation-15");
@@ -75,20 +74,6 @@ class Report {
       if (spent > most) most = spent;
     }
     reportValue_(name, 0, most);
-  }
-
-  void fixedPoint() {
-    FixedPunch punch;
-    uint32_t most = 0;
-    for (int i = 0; i < kSteps; ++i) {
-      const auto travel = models::Fixed::fromRaw(travelAt(i));
-      startCounting_();
-      const auto force = punch.step(travel);
-      const uint32_t spent = instructionCount_();
-      if (spent > most) most = spent;
-      reportValue_("fixed", i, static_cast<uint32_t>(force.raw()));
-    }
-    reportValue_("instructions-fixed", 0, most);
   }
 
   volatile float force_ = 0.0F;  ///< volatile, so that the compiler does not remove the computation

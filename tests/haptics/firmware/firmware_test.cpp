@@ -1,4 +1,4 @@
-// The punch's own program under an emulator: the same numbers as here, and what they cost.
+// The punch's own program under an emulator: the same forces as here, and what they cost.
 //
 // QEMU counts instructions exactly; it models neither the processor's pipeline nor its flash, so
 // microseconds are no business of these tests.
@@ -88,12 +88,6 @@ class FirmwareTest : public testing::Test {
   }
 };
 
-TEST_F(FirmwareTest, GivesTheSameBitsInWholeNumbers) {
-  const auto here = saidHere().at("fixed");
-  EXPECT_EQ(here.size(), static_cast<std::size_t>(kSteps));
-  EXPECT_EQ(saidByTheBoard().at("fixed"), here);
-}
-
 TEST_F(FirmwareTest, GivesTheSameForcesInSinglePrecision) {
   for (const std::string name : {"float-5", "float-15"}) {
     const auto here = saidHere().at(name);
@@ -114,10 +108,7 @@ TEST_F(FirmwareTest, StaysWithinItsInstructions) {
   const auto& said = saidByTheBoard();
   EXPECT_LE(said.at("instructions-float-5").at(0), 6000U);
   EXPECT_LE(said.at("instructions-float-15").at(0), 7000U);
-  EXPECT_LE(said.at("instructions-fixed").at(0), 200U);
-  EXPECT_GT(said.at("instructions-fixed").at(0), 20U);  // the count counts
-  for (const auto* name :
-       {"instructions-float-5", "instructions-float-15", "instructions-fixed", "stack"}) {
+  for (const auto* name : {"instructions-float-5", "instructions-float-15", "stack"}) {
     std::cout << name << ": " << said.at(name).at(0) << "\n";
   }
 }
@@ -139,19 +130,6 @@ TEST_F(FirmwareTest, TakesTheInstructionsThatTheTableOfFig12Has) {
 
 TEST_F(FirmwareTest, NeedsLittleStack) {
   EXPECT_LE(saidByTheBoard().at("stack").at(0), 2048U);
-}
-
-TEST(FirmwareModels, AgreeWithEachOther) {
-  // Whole numbers and steady gains are another filter: near where the hand moves evenly.
-  auto said = saidHere();
-  const auto& single = said.at("float-5");
-  const auto& fixed = said.at("fixed");
-  double sum = 0.0;
-  for (std::size_t i = 0; i < single.size(); ++i) {
-    const double force = static_cast<std::int32_t>(fixed[i]) / 65536.0;
-    sum += std::pow(force - static_cast<double>(floatOf(single[i])), 2);
-  }
-  EXPECT_LE(std::sqrt(sum / static_cast<double>(single.size())), 0.15);  // [N]
 }
 
 TEST(FirmwareModels, HaveTheParametricCut) {
