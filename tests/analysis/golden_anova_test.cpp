@@ -1,6 +1,5 @@
 // Analyses of variance against the golden values of tests/data/stats and NIST's certified ones;
 // the gates are those of the README there.
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -82,8 +81,6 @@ Table nistGroups(const std::string& dataSet) {
 
 TEST(NistAnova, ReachesWhatDoublesCanAttain) {
   SKIP_WITHOUT_FETCHED_DATA("stats/nist/nist.json");
-  constexpr double kMostAsked = 15.0;
-  constexpr double kSlack = 0.2;
   tests::WorstDigits worst("NIST analysis of variance");
   int visited = 0;
   const auto all = tests::statsJson("nist/nist.json")["anova"];
@@ -92,19 +89,16 @@ TEST(NistAnova, ReachesWhatDoublesCanAttain) {
     const auto& certified = entry.value();
     SCOPED_TRACE(dataSet);
     const auto result = analysis::oneWayAnova(nistGroups(dataSet));
-    const auto check = [&](const std::string& quantity, double number) {
-      const double digits = std::min(
-          kMostAsked, tests::correctDigits(number, certified[quantity].get<std::string>()));
-      worst.add(quantity, dataSet, digits);
-      EXPECT_GE(digits, certified["attainable_digits"][quantity].get<double>() - kSlack)
-          << quantity;
-    };
     EXPECT_EQ(result.n, certified["n"].get<std::uint64_t>());
     EXPECT_EQ(result.degreesOfFreedom1, certified["df_between"].get<double>());
     EXPECT_EQ(result.degreesOfFreedom2, certified["df_within"].get<double>());
-    check("f", result.f.value());
-    check("ss_between", result.squaresBetween.value());
-    check("ss_within", result.squaresWithin.value());
+    tests::compareWithCertified(
+        dataSet,
+        certified,
+        {{"f", result.f.value()},
+         {"ss_between", result.squaresBetween.value()},
+         {"ss_within", result.squaresWithin.value()}},
+        worst);
     EXPECT_NEAR(
         std::pow(result.residualStandardDeviation.value(), 2) * *result.degreesOfFreedom2,
         *result.squaresWithin,

@@ -1,5 +1,6 @@
 #include "tests/analysis/golden_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -26,6 +27,14 @@ bool canBeHeld(const std::string& truth) {
 
 }  // namespace
 
+void addInterval(
+    Quantities& quantities,
+    const std::string& name,
+    const std::optional<analysis::Interval>& interval) {
+  quantities[name + "_lo"] = interval ? std::optional(interval->low) : std::nullopt;
+  quantities[name + "_hi"] = interval ? std::optional(interval->high) : std::nullopt;
+}
+
 void compareWithGolden(
     const std::string& dataSet,
     const nlohmann::json& golden,
@@ -44,6 +53,22 @@ void compareWithGolden(
     const double digits = correctDigits(*number, truth);
     worst.add(quantity, dataSet, digits);
     EXPECT_GE(digits, gate(quantity)) << *number << " is not " << truth;
+  }
+}
+
+void compareWithCertified(
+    const std::string& dataSet,
+    const nlohmann::json& certified,
+    const std::map<std::string, double>& ours,
+    WorstDigits& worst) {
+  constexpr double kMostAsked = 15.0;
+  constexpr double kSlack = 0.2;
+  for (const auto& [quantity, number] : ours) {
+    const double digits =
+        std::min(kMostAsked, correctDigits(number, certified[quantity].get<std::string>()));
+    worst.add(quantity, dataSet, digits);
+    EXPECT_GE(digits, certified["attainable_digits"][quantity].get<double>() - kSlack)
+        << dataSet << " " << quantity;
   }
 }
 

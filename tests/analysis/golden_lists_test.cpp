@@ -1,5 +1,4 @@
 // NIST's certified values, and the golden p values and votes of tests/data/stats.
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +10,7 @@
 #include "analysis/data/moments.h"
 #include "analysis/hypothesis_tests/adjustment.h"
 #include "analysis/hypothesis_tests/vote_tests.h"
-#include "tests/analysis/digits.h"
+#include "tests/analysis/golden_check.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"
 
@@ -29,8 +28,6 @@ std::vector<double> nistValues(const std::string& dataSet) {
 
 TEST(NistUnivariate, ReachesWhatDoublesCanAttain) {
   SKIP_WITHOUT_FETCHED_DATA("stats/nist/nist.json");
-  constexpr double kMostAsked = 15.0;
-  constexpr double kSlack = 0.2;
   tests::WorstDigits worst("NIST");
 
   int visited = 0;
@@ -40,17 +37,12 @@ TEST(NistUnivariate, ReachesWhatDoublesCanAttain) {
     const auto& certified = entry.value();
     SCOPED_TRACE(dataSet);
     const auto summary = analysis::summarise(nistValues(dataSet));
-    const auto& attainable = certified["attainable_digits"];
-    const auto check = [&](const std::string& quantity, double number) {
-      const double digits = std::min(
-          kMostAsked, tests::correctDigits(number, certified[quantity].get<std::string>()));
-      worst.add(quantity, dataSet, digits);
-      EXPECT_GE(digits, attainable[quantity].get<double>() - kSlack) << quantity;
-    };
-
     EXPECT_EQ(summary.n, certified["n"].get<std::uint64_t>());
-    check("mean", summary.mean.value());
-    check("sd", summary.standardDeviation.value());
+    tests::compareWithCertified(
+        dataSet,
+        certified,
+        {{"mean", summary.mean.value()}, {"sd", summary.standardDeviation.value()}},
+        worst);
     ++visited;
   }
   EXPECT_EQ(visited, 5);

@@ -18,16 +18,10 @@
 
 namespace golden_means_test {
 
-using analysis::Interval;
+using tests::addInterval;
 using tests::Quantities;
 
 constexpr analysis::EquivalenceBounds kHalfAPoint{.lower = -0.5, .upper = 0.5};
-
-void addInterval(
-    Quantities& quantities, const std::string& name, const std::optional<Interval>& interval) {
-  quantities[name + "_lo"] = interval ? std::optional(interval->low) : std::nullopt;
-  quantities[name + "_hi"] = interval ? std::optional(interval->high) : std::nullopt;
-}
 
 double gateOf(const std::string& quantity) {
   if (quantity.starts_with("bf10")) return 9.0;

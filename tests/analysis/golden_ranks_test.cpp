@@ -1,9 +1,6 @@
 // The golden values of rank tests and votes in tests/data/stats, to the gates of the README there:
 // every quantity of these tests in every data set.
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +14,13 @@
 #include "analysis/hypothesis_tests/rank_tests.h"
 #include "analysis/hypothesis_tests/sign_tests.h"
 #include "analysis/hypothesis_tests/vote_tests.h"
-#include "tests/analysis/digits.h"
+#include "tests/analysis/golden_check.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"
 
 namespace golden_ranks_test {
 
-using Quantities = std::map<std::string, std::optional<double>>;
+using tests::Quantities;
 
 double gateOf(const std::string& quantity) {
   if (quantity.starts_with("nemenyi")) return 9.0;
@@ -32,32 +29,21 @@ double gateOf(const std::string& quantity) {
   return isOfALaw ? 12.0 : 14.0;
 }
 
-/// @param prefixes  of the quantities in the golden file that must all be there.
+/// Compares what both have. @param prefixes  of the quantities in the golden file that must all be
+/// ours.
 void compare(
     const std::string& dataSet,
     const nlohmann::json& golden,
-    const Quantities& ours,
+    Quantities ours,
     const std::vector<std::string>& prefixes,
     tests::WorstDigits& worst) {
-  for (const auto& [quantity, truth] : golden.items()) {
-    const bool isOurs = std::ranges::any_of(
-        prefixes,
-        [&name = quantity](const std::string& prefix) { return name.starts_with(prefix); });
-    if (!isOurs) continue;
-    SCOPED_TRACE(testing::Message() << dataSet << " " << quantity);
-    ASSERT_TRUE(ours.contains(quantity));
-    const auto& number = ours.at(quantity);
-    const std::string text = truth.is_string() ? truth.get<std::string>() : truth.dump();
-    ASSERT_EQ(number.has_value(), text != "nan") << text;
-    if (!number) continue;
-    if (std::isinf(*number)) {
-      EXPECT_EQ(std::to_string(*number), text);
-      continue;
-    }
-    const double digits = tests::correctDigits(*number, text);
-    worst.add(quantity, dataSet, digits);
-    EXPECT_GE(digits, gateOf(quantity)) << *number << " is not " << text;
+  for (const auto& entry : golden.items()) {
+    const auto begins = [&](const std::string& prefix) { return entry.key().starts_with(prefix); };
+    if (std::ranges::none_of(prefixes, begins)) continue;
+    ASSERT_TRUE(ours.contains(entry.key())) << dataSet << " " << entry.key();
   }
+  std::erase_if(ours, [&](const auto& quantity) { return !golden.contains(quantity.first); });
+  tests::compareWithGolden(dataSet, golden, ours, gateOf, worst);
 }
 
 std::vector<std::vector<double>> rowsOf(const std::string& file, std::size_t firstColumn) {

@@ -1,37 +1,24 @@
 // The golden values of tests/data/stats: exact rational arithmetic and 60 digits, made by
-// golden_exact.py beside them. The gates are those
-// of the README there.
+// golden_exact.py beside them. The gates are those of the README there.
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <limits>
-#include <map>
-#include <optional>
 #include <set>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/hypothesis_tests/t_tests.h"
-#include "tests/analysis/digits.h"
+#include "tests/analysis/golden_check.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"
 
 namespace golden_test {
 
-using analysis::Interval;
-
-/// What the golden file calls it → what we say.
-using Quantities = std::map<std::string, std::optional<double>>;
+using tests::addInterval;
+using tests::Quantities;
 
 constexpr double kConfidence95 = 0.95;
 constexpr double kConfidenceBonferroni3 = 1.0 - 0.05 / 3.0;
-
-void addInterval(
-    Quantities& quantities, const std::string& name, const std::optional<Interval>& interval) {
-  quantities[name + "_lo"] = interval ? std::optional(interval->low) : std::nullopt;
-  quantities[name + "_hi"] = interval ? std::optional(interval->high) : std::nullopt;
-}
 
 Quantities quantitiesOf(const analysis::Moments& a, const analysis::Moments& b) {
   const auto welch = analysis::welchTTest(a, b);
@@ -65,42 +52,6 @@ double gateOf(const std::string& quantity) {
   return 13.0;
 }
 
-/// What a double can be asked for: nothing where the truth is undefined or beyond a double.
-bool isWanted(const std::string& golden) {
-  if (golden.ends_with("inf")) return true;
-  const long double truth = std::strtold(golden.c_str(), nullptr);
-  return !std::isnan(truth) &&
-         (truth == 0.0L || std::fabs(truth) >= std::numeric_limits<double>::min());
-}
-
-/// The golden value as text; "nan" where there is none.
-std::string goldenText(const nlohmann::json& golden, const std::string& quantity) {
-  const auto entry = golden.find(quantity);
-  if (entry == golden.end() || entry->is_null()) return "nan";
-  return entry->is_string() ? entry->get<std::string>() : entry->dump();
-}
-
-void compare(
-    const std::string& dataSet,
-    const nlohmann::json& golden,
-    const Quantities& ours,
-    tests::WorstDigits& worst) {
-  for (const auto& [quantity, number] : ours) {
-    SCOPED_TRACE(testing::Message() << dataSet << " " << quantity);
-    if (quantity == "t_student" && !golden.contains(quantity)) continue;  // t07: ±inf, left out
-    const std::string truth = goldenText(golden, quantity);
-    ASSERT_EQ(number.has_value(), isWanted(truth)) << truth;
-    if (!number) continue;
-    if (std::isinf(*number)) {
-      EXPECT_EQ(std::to_string(*number), truth);
-      continue;
-    }
-    const double digits = tests::correctDigits(*number, truth);
-    worst.add(quantity, dataSet, digits);
-    EXPECT_GE(digits, gateOf(quantity)) << *number << " is not " << truth;
-  }
-}
-
 TEST(GoldenTwoSamples, MatchTheReferenceWithinTheirTolerance) {
   const auto golden = tests::statsJson("golden.json")["two"];
   tests::WorstDigits worst("two samples");
@@ -108,12 +59,10 @@ TEST(GoldenTwoSamples, MatchTheReferenceWithinTheirTolerance) {
   int visited = 0;
   for (const auto& [dataSet, truth] : golden.items()) {
     const auto groups = tests::statsGroups(dataSet);
-    compare(
-        dataSet,
-        truth,
-        quantitiesOf(
-            analysis::momentsOf(groups.group1.values), analysis::momentsOf(groups.group2.values)),
-        worst);
+    auto ours = quantitiesOf(
+        analysis::momentsOf(groups.group1.values), analysis::momentsOf(groups.group2.values));
+    if (!truth.contains("t_student")) ours.erase("t_student");  // t07: ±inf, left out
+    tests::compareWithGolden(dataSet, truth, ours, gateOf, worst);
     ++visited;
   }
 
@@ -194,12 +143,12 @@ TEST(GoldenMillion, MatchesTheReferenceFromCountsAndFromValues) {
     std::erase_if(quantities, [&](const auto& entry) { return !wanted.contains(entry.first); });
     return quantities;
   };
-  compare("counts", golden, only(quantitiesOf(momentsOf(a), momentsOf(b))), worst);
-  compare(
-      "values",
-      golden,
-      only(quantitiesOf(analysis::momentsOf(unfolded(a)), analysis::momentsOf(unfolded(b)))),
-      worst);
+  const auto compare = [&](const std::string& from, const auto& moments1, const auto& moments2) {
+    const auto ours = only(quantitiesOf(moments1, moments2));
+    tests::compareWithGolden(from, golden, ours, gateOf, worst);
+  };
+  compare("counts", momentsOf(a), momentsOf(b));
+  compare("values", analysis::momentsOf(unfolded(a)), analysis::momentsOf(unfolded(b)));
   EXPECT_EQ(worst.count(), 2 * 11);
 }
 
