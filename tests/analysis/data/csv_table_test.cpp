@@ -2,18 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/complaint.h"
+
 namespace csv_table_test {
 
 using analysis::readCsv;
 using Cells = std::vector<std::string>;
 
 std::string errorOf(std::string_view csv) {
-  try {
-    readCsv(csv);
-  } catch (const base::UserError& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::complaintOf([&] { readCsv(csv); });
 }
 
 TEST(CsvTable, HasColumnsAndRows) {
@@ -129,13 +126,8 @@ TEST(CsvTable, NamesNoMoreThanTenProblems) {
 
 TEST(CsvTable, FindsColumnsByName) {
   const auto table = readCsv("method,score,note,note\na,1,,\n");
-  const auto errorFor = [&](const char* column) -> std::string {
-    try {
-      table.columnIndex(column);
-    } catch (const base::UserError& error) {
-      return error.what();
-    }
-    return "no error";
+  const auto errorFor = [&](const char* column) {
+    return tests::complaintOf([&] { table.columnIndex(column); });
   };
 
   EXPECT_EQ(table.columnIndex("score"), 1U);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/data/csv_table.h"
+#include "tests/support/complaint.h"
 
 namespace published_table_test {
 
@@ -13,12 +14,7 @@ using analysis::RoundingRule;
 constexpr const char* kComparisons = "group1,group2,p\nI,F,< .017\nI,K,.021\n";
 
 std::string refusalOf(const std::string& groups, const std::string& comparisons) {
-  try {
-    readPublishedTable(groups, comparisons);
-  } catch (const base::UserError& error) {
-    return error.what();
-  }
-  return {};
+  return tests::complaintOf([&] { readPublishedTable(groups, comparisons); });
 }
 
 TEST(PublishedTable, ReadsGroupsAndComparisons) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/data/csv_table.h"
+#include "tests/support/complaint.h"
 
 namespace test_data_test {
 
@@ -21,12 +22,7 @@ analysis::TestData twoGroups(
 
 std::string errorOf(
     std::string_view csv, std::string_view groupColumn = "g", std::string_view valueColumn = "x") {
-  try {
-    twoGroups(csv, groupColumn, valueColumn);
-  } catch (const base::UserError& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::complaintOf([&] { twoGroups(csv, groupColumn, valueColumn); });
 }
 
 TEST(TestDataOfTwoGroups, ComeInTheOrderOfTheFile) {
@@ -118,12 +114,7 @@ TEST(TestDataOfTwoGroups, PassOnTheProblemsOfTheTable) {
 }
 
 std::string errorOf(std::string_view csv, DataShape shape, const analysis::ChosenColumns& chosen) {
-  try {
-    readTestData(csv, shape, chosen);
-  } catch (const base::UserError& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::complaintOf([&] { readTestData(csv, shape, chosen); });
 }
 
 TEST(TestData, UsesColumnsInTheOrderOfTheFileByDefault) {

@@ -8,10 +8,14 @@
 
 #include "haptics/recordings/force_calibration.h"
 #include "haptics/recordings/recording.h"
+#include "tests/support/complaint.h"
+#include "tests/support/says.h"
 #include "tests/support/test_data.h"
 
 namespace haptics::recordings {
 namespace calibration_fit_test {
+
+using tests::says;
 
 nlohmann::json golden() {
   std::ifstream file(tests::testData("recordings/golden.json"));
@@ -27,16 +31,7 @@ CalibrationTable goldenTable(const nlohmann::json& from) {
 }
 
 std::string complaintAbout(const std::string& text, const CalibrationColumns& columns = {}) {
-  try {
-    readCalibrationTable(text, "loads.csv", columns);
-  } catch (const base::UserError& error) {
-    return error.what();
-  }
-  return "nothing";
-}
-
-void expectMentions(const std::string& text, const std::string& words) {
-  EXPECT_NE(text.find(words), std::string::npos) << text << "\n  does not mention: " << words;
+  return tests::complaintOf([&] { readCalibrationTable(text, "loads.csv", columns); });
 }
 
 TEST(CalibrationFit, IsThePolynomialOfNumPyAtEveryOrder) {
@@ -107,12 +102,12 @@ TEST(CalibrationTable, TakesColumnsAndUnitsThatAreNamed) {
 }
 
 TEST(CalibrationTable, SaysWhatIsMissing) {
-  expectMentions(complaintAbout("adc,load [N]\n1,2\n"), "readings in 'loads.csv' have no unit");
-  expectMentions(complaintAbout("adc [V],load\n1,2\n"), "no unit");
-  expectMentions(complaintAbout("adc [V],load [lbf]\n1,2\n"), "an unknown unit, 'lbf'");
-  expectMentions(complaintAbout("adc [V],load [N]\n1,2\n1,x\n"), "Line 3");
-  expectMentions(complaintAbout("adc [V],load [N]\n", {.force = "mass"}), "no column 'mass'");
-  expectMentions(complaintAbout(""), "is empty");
+  EXPECT_TRUE(says(complaintAbout("adc,load [N]\n1,2\n"), "readings in 'loads.csv' have no unit"));
+  EXPECT_TRUE(says(complaintAbout("adc [V],load\n1,2\n"), "no unit"));
+  EXPECT_TRUE(says(complaintAbout("adc [V],load [lbf]\n1,2\n"), "an unknown unit, 'lbf'"));
+  EXPECT_TRUE(says(complaintAbout("adc [V],load [N]\n1,2\n1,x\n"), "Line 3"));
+  EXPECT_TRUE(says(complaintAbout("adc [V],load [N]\n", {.force = "mass"}), "no column 'mass'"));
+  EXPECT_TRUE(says(complaintAbout(""), "is empty"));
 }
 
 }  // namespace calibration_fit_test

@@ -7,18 +7,14 @@
 
 #include "haptics/recordings/recording.h"
 #include "tests/haptics/recordings/made_recording.h"
+#include "tests/support/complaint.h"
 #include "tests/support/scratch_folder.h"
 
 namespace haptics::recordings {
 namespace recording_file_test {
 
 std::string complaintAbout(const std::filesystem::path& path) {
-  try {
-    readRecordingFile(path);
-  } catch (const base::UserError& error) {
-    return error.what();
-  }
-  return "nothing";
+  return tests::complaintOf([&] { readRecordingFile(path); });
 }
 
 TEST(RecordingFile, ReadsWhatTheFileSays) {
@@ -66,7 +62,7 @@ TEST(RecordingFile, ReportsAFileThatMayNotBeRead) {
   const tests::ScratchFolder folder;
   const std::string path = folder.write("locked.txt", "1 2 3 4 5");
   std::filesystem::permissions(path, std::filesystem::perms::none);
-  if (complaintAbout(path) == "nothing") GTEST_SKIP() << "this user may read everything";
+  if (complaintAbout(path).empty()) GTEST_SKIP() << "this user may read everything";
   EXPECT_EQ(complaintAbout(path), "'" + path + "' cannot be opened: check that you may read it.");
 }
 

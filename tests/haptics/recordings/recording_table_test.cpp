@@ -8,9 +8,13 @@
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/trace.h"
 #include "tests/haptics/recordings/made_recording.h"
+#include "tests/support/complaint.h"
+#include "tests/support/says.h"
 
 namespace haptics::recordings {
 namespace recording_table_test {
+
+using tests::says;
 
 const RecordingColumns kNewtons{
     .time = TableColumn{.heading = "t"},
@@ -20,16 +24,7 @@ const RecordingColumns kNewtons{
     .force = {.heading = "F"}};
 
 std::string complaintAbout(const std::string& text, const RecordingColumns& columns) {
-  try {
-    readRecordingTable(text, "cut.csv", columns);
-  } catch (const base::UserError& error) {
-    return error.what();
-  }
-  return "nothing";
-}
-
-void expectMentions(const std::string& text, const std::string& words) {
-  EXPECT_NE(text.find(words), std::string::npos) << text << "\n  does not mention: " << words;
+  return tests::complaintOf([&] { readRecordingTable(text, "cut.csv", columns); });
 }
 
 TEST(RecordingTable, FindsColumnsByTheirHeadsAndMapsTheStrokeToTenUnits) {
@@ -106,18 +101,18 @@ TEST(RecordingTable, NeedsTheCalibrationOfItsSensor) {
 }
 
 TEST(RecordingTable, SaysWhatIsWrongWithIt) {
-  expectMentions(complaintAbout("a,b\n1,2\n", kNewtons), "no column 't' for the time");
-  expectMentions(complaintAbout("a,b\n1,2\n", kNewtons), "'a', 'b'");
-  expectMentions(complaintAbout("t,angle,F\n", kNewtons), "only a head");
-  expectMentions(complaintAbout("t,angle,F\nx,1,2\n", kNewtons), "line 2: the time 'x'");
-  expectMentions(complaintAbout("t,angle,F\n2,1,2\n1,1,2\n", kNewtons), "backwards");
-  expectMentions(complaintAbout("", kNewtons), "is empty");
+  EXPECT_TRUE(says(complaintAbout("a,b\n1,2\n", kNewtons), "no column 't' for the time"));
+  EXPECT_TRUE(says(complaintAbout("a,b\n1,2\n", kNewtons), "'a', 'b'"));
+  EXPECT_TRUE(says(complaintAbout("t,angle,F\n", kNewtons), "only a head"));
+  EXPECT_TRUE(says(complaintAbout("t,angle,F\nx,1,2\n", kNewtons), "line 2: the time 'x'"));
+  EXPECT_TRUE(says(complaintAbout("t,angle,F\n2,1,2\n1,1,2\n", kNewtons), "backwards"));
+  EXPECT_TRUE(says(complaintAbout("", kNewtons), "is empty"));
   RecordingColumns same = kNewtons;
   same.closed = same.open;
-  expectMentions(complaintAbout("t,angle,F\n1,1,2\n", same), "the same");
+  EXPECT_TRUE(says(complaintAbout("t,angle,F\n1,1,2\n", same), "the same"));
   RecordingColumns timeless = kNewtons;
   timeless.time.reset();
-  expectMentions(complaintAbout("t,angle,F\n1,1,2\n", timeless), "neither a time nor a rate");
+  EXPECT_TRUE(says(complaintAbout("t,angle,F\n1,1,2\n", timeless), "neither a time nor a rate"));
 }
 
 TEST(RecordingTable, GivesTheSameCutAsTheFormatOfThePunch) {

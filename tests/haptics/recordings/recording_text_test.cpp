@@ -5,25 +5,20 @@
 
 #include "haptics/recordings/recording.h"
 #include "tests/haptics/recordings/made_recording.h"
+#include "tests/support/complaint.h"
+#include "tests/support/says.h"
 
 namespace haptics::recordings {
 namespace recording_text_test {
+
+using tests::says;
 
 const std::string kRow = "144\t99.23\t451.00\t0.25\t192037.00\t";  // from the data set's README
 const std::string kNextRow = "145\t99.90\t452.00\t0.51\t192040.00\t";
 
 /// What the reader says of a text it refuses.
 std::string complaintAbout(const std::string& text) {
-  try {
-    readRecording(text, "cut.txt");
-  } catch (const base::UserError& error) {
-    return error.what();
-  }
-  return "nothing";
-}
-
-void expectMentions(const std::string& text, const std::string& words) {
-  EXPECT_NE(text.find(words), std::string::npos) << text << "\n  does not mention: " << words;
+  return tests::complaintOf([&] { readRecording(text, "cut.txt"); });
 }
 
 TEST(RecordingText, ReadsTheFiveColumns) {
@@ -91,7 +86,7 @@ TEST(RecordingText, RefusesALastRowWhoseTimeWasCutOff) {
 
   EXPECT_EQ(recording.rows.size(), 1U);
   ASSERT_EQ(recording.refusedCount, 1U);
-  expectMentions(recording.refusedLines[0].reason, "cut off");
+  EXPECT_TRUE(says(recording.refusedLines[0].reason, "cut off"));
 }
 
 TEST(RecordingText, SaysWhyItRefusedALine) {
@@ -184,14 +179,10 @@ TEST(RecordingText, TellsWhereTimeRunsBackwards) {
 }
 
 TEST(RecordingText, SaysThatAnotherTableNeedsAColumnsFile) {
-  try {
-    readRecording("t_ms,jaw_mm,load_N\n0,0.1,0.2\n", "mine.csv");
-    FAIL() << "was read";
-  } catch (const base::UserError& error) {
-    const std::string words = error.what();
-    EXPECT_NE(words.find("'mine.csv'"), std::string::npos) << words;
-    EXPECT_NE(words.find("columns file"), std::string::npos) << words;
-    EXPECT_NE(words.find("--columns"), std::string::npos) << words;
+  const auto complaint =
+      tests::complaintOf([] { readRecording("t_ms,jaw_mm,load_N\n0,0.1,0.2\n", "mine.csv"); });
+  for (const auto* words : {"'mine.csv'", "columns file", "--columns"}) {
+    EXPECT_TRUE(says(complaint, words));
   }
 }
 

@@ -7,10 +7,13 @@
 #include "protocols/model/messages.h"
 #include "questionnaires/json/document.h"
 #include "tests/protocols/small_protocol.h"
+#include "tests/support/says.h"
 #include "tests/support/scratch_folder.h"
 
 namespace protocols {
 namespace anatomy_file_test {
+
+using tests::says;
 
 /// An object with a square of @p size that lies @p below the origin.
 /// @param first  the number of its first corner.
@@ -36,11 +39,6 @@ std::string complaintAbout(const std::string& text) {
   questionnaires::Problems problems;
   EXPECT_FALSE(readAnatomy(text, problems)) << "nothing was wrong";
   return questionnaires::describe(problems.all());
-}
-
-testing::AssertionResult says(const std::string& words, std::string_view part) {
-  if (words.find(part) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "'" << part << "' is not in: " << words;
 }
 
 TEST(AnatomyFile, TakesItsSurfacesByTheirNames) {

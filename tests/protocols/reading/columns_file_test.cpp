@@ -3,20 +3,18 @@
 #include <gtest/gtest.h>
 
 #include "protocols/reading/recording_file.h"
+#include "tests/support/says.h"
 
 namespace protocols {
 namespace columns_file_test {
 
 using questionnaires::Problems;
+using tests::says;
 
 std::string problemsOf(const std::string& json) {
   Problems problems;
   EXPECT_FALSE(readColumns(json, problems).has_value());
   return questionnaires::describe(problems.all());
-}
-
-void expectMentions(const std::string& text, const std::string& words) {
-  EXPECT_NE(text.find(words), std::string::npos) << text << "\n  does not mention: " << words;
 }
 
 TEST(ColumnsFile, SaysWhatEveryColumnMeans) {
@@ -64,19 +62,19 @@ TEST(ColumnsFile, NamesEveryMistakeInOneReading) {
       R"({"format": "palpate-columns-2", "time": {"column": "t", "rate_hz": 5},
           "travel": {"column": "x", "open": 3, "closed": 3},
           "force": {"column": 0, "unit": "N", "factor": 0, "offset": 1}, "calibration": "s.json"})");
-  expectMentions(problems, "this program reads palpate-columns-1");
-  expectMentions(problems, "either a column or a rate");
-  expectMentions(problems, "$.travel.closed");
-  expectMentions(problems, "offset");
+  EXPECT_TRUE(says(problems, "this program reads palpate-columns-1"));
+  EXPECT_TRUE(says(problems, "either a column or a rate"));
+  EXPECT_TRUE(says(problems, "$.travel.closed"));
+  EXPECT_TRUE(says(problems, "offset"));
 }
 
 TEST(ColumnsFile, RefusesACalibrationOfNewtons) {
-  expectMentions(
+  EXPECT_TRUE(says(
       problemsOf(
           R"({"format": "palpate-columns-1", "time": {"column": "t", "unit": "s"},
               "travel": {"column": "x", "open": 0, "closed": 10},
               "force": {"column": "F", "unit": "N"}, "calibration": "s.json"})"),
-      "in newtons already");
+      "in newtons already"));
 }
 
 TEST(CalibrationFile, ComesBackAsItWas) {
@@ -101,8 +99,8 @@ TEST(CalibrationFile, IsRefusedWithItsMistakes) {
           "range": [4, 2]})",
       problems));
   const auto words = questionnaires::describe(problems.all());
-  expectMentions(words, "2 to 6 coefficients");
-  expectMentions(words, "$.range");
+  EXPECT_TRUE(says(words, "2 to 6 coefficients"));
+  EXPECT_TRUE(says(words, "$.range"));
 }
 
 }  // namespace columns_file_test

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "questionnaires/json/problem.h"
+#include "tests/support/complaint.h"
 #include "tests/support/scratch_folder.h"
 
 namespace protocols {
@@ -48,12 +49,7 @@ std::string polygon(int corners, const std::string& more = "") {
 }
 
 std::string complaintAbout(const std::string& text) {
-  try {
-    readMesh(text);
-  } catch (const base::UserError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::complaintOf([&] { readMesh(text); });
 }
 
 std::size_t trianglesIn(const std::string& text) {

@@ -6,18 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "questionnaires/json/document.h"
+#include "tests/support/complaint.h"
 #include "tests/support/scratch_folder.h"
 
 namespace questionnaires {
 namespace text_file_test {
 
 std::string complaintAbout(const std::string& path) {
-  try {
-    readTextFile(path);
-  } catch (const base::UserError& error) {
-    return error.what();
-  }
-  return "no complaint";
+  return tests::complaintOf([&] { readTextFile(path); });
 }
 
 TEST(ReadTextFile, GivesEveryByte) {

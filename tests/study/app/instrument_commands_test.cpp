@@ -6,19 +6,17 @@
 
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
+#include "tests/support/says.h"
 #include "tests/support/scratch_folder.h"
 
 namespace instrument_commands_test {
 
 using Words = std::vector<std::string>;
+using tests::says;
 
 tests::Finished instrument(Words arguments) {
   arguments.insert(arguments.begin(), {tests::program(), "instrument"});
   return tests::run(arguments);
-}
-
-bool says(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
 }
 
 /// @p json with words between every two empty quotation marks.

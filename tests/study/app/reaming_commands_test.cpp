@@ -8,9 +8,12 @@
 #include "haptics/reaming/material/synthetic_series.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
+#include "tests/support/says.h"
 #include "tests/support/scratch_folder.h"
 
 namespace reaming_commands_test {
+
+using tests::says;
 
 class ReamingCommands : public testing::Test {
  protected:
@@ -28,10 +31,6 @@ class ReamingCommands : public testing::Test {
     EXPECT_NE(finished.status, 0);
     return finished.error;
   }
-  static void expectIn(const std::string& text, const std::string& part) {
-    EXPECT_NE(text.find(part), std::string::npos) << text;
-  }
-
   /// An OBJ file of a box of 60 × 60 × 20 units that extends in +z; with a hole if @p isOpen.
   std::string box(const std::string& name, double scale, bool isOpen) const {
     std::string text;
@@ -64,7 +63,7 @@ class ReamingCommands : public testing::Test {
 
 TEST_F(ReamingCommands, MakeABoneForAProtocolFromSeries) {
   const std::string series = folder_ / "series";
-  expectIn(output({"material", "synthesise", series}), "synthetic");
+  EXPECT_TRUE(says(output({"material", "synthesise", series}), "synthetic"));
   const std::string material = folder_ / "bone.json";
   const auto said = output(
       {"material",
@@ -74,10 +73,11 @@ TEST_F(ReamingCommands, MakeABoneForAProtocolFromSeries) {
        series + "/synthetic-specimen-9--dynamic-1.csv",
        "--out",
        material});
-  expectIn(said, "dynamic-1   2 series");
-  expectIn(said, "SYNTHETIC");
+  EXPECT_TRUE(says(said, "dynamic-1   2 series"));
+  EXPECT_TRUE(says(said, "SYNTHETIC"));
   const std::string built = folder_ / "cup.packing";
-  expectIn(output({"packing", "build", "--count", "1500", "--out", built}), "1500 spheres");
+  EXPECT_TRUE(
+      says(output({"packing", "build", "--count", "1500", "--out", built}), "1500 spheres"));
   const std::string fitted = folder_ / "bone.packing";
   const auto fit = output(
       {"packing",
@@ -89,16 +89,16 @@ TEST_F(ReamingCommands, MakeABoneForAProtocolFromSeries) {
        fitted,
        "--report",
        folder_ / "report"});
-  expectIn(fit, "of the spheres are touched");
-  expectIn(fit, "SYNTHETIC");
+  EXPECT_TRUE(says(fit, "of the spheres are touched"));
+  EXPECT_TRUE(says(fit, "SYNTHETIC"));
   EXPECT_EQ(fit.find("WARNING"), std::string::npos) << fit;
   const std::string other = folder_ / "other.packing";
-  expectIn(
+  EXPECT_TRUE(says(
       refusal({"packing", "fit", material, "--material", material, "--out", other}),
-      "spheres are wanted here");
-  expectIn(
+      "spheres are wanted here"));
+  EXPECT_TRUE(says(
       refusal({"packing", "fit", built, "--material", built, "--out", other}),
-      "--material wants a material");
+      "--material wants a material"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "report/packing.html"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "report/packing-forces.csv"));
   const auto protocol = folder_.write("protocol.json", R"({
@@ -120,30 +120,31 @@ TEST_F(ReamingCommands, MakeABoneForAProtocolFromSeries) {
                 "order": {"type": "balancedLatinSquare"}, "minimum_cuts": 1}]})");
   for (const std::string condition : {"curve", "reamed"}) {
     const auto cost = output({"scene", "explain", protocol, "--condition", condition, "--cost"});
-    expectIn(cost, "as it is");
-    expectIn(cost, "felt from SYNTHETIC");
+    EXPECT_TRUE(says(cost, "as it is"));
+    EXPECT_TRUE(says(cost, "felt from SYNTHETIC"));
     EXPECT_EQ(cost.find("measured curves"), std::string::npos) << cost;
-    expectIn(cost, condition == "curve" ? "20,000 spheres that are reamed" : "the curve alone");
+    EXPECT_TRUE(
+        says(cost, condition == "curve" ? "20,000 spheres that are reamed" : "the curve alone"));
     const std::string played = folder_ / (condition + ".csv");
     output({"scene", "play", protocol, "--condition", condition, "--out", played});
     EXPECT_EQ(tests::contentOf(played).find(",,"), std::string::npos) << "a step without a force";
   }
   const std::string inside = folder_ / "inside";
-  expectIn(
+  EXPECT_TRUE(says(
       refusal(
           {"scene", "play", protocol, "--condition", "reamed", "--from", "0.005", "--out", inside}),
-      "so there is nothing to draw");
+      "so there is nothing to draw"));
   EXPECT_FALSE(std::filesystem::exists(inside + ".csv"));
   const std::string study = folder_ / "study";
   output({"study", "create", study, "--protocol", protocol, "--seed", "1"});
-  expectIn(output({"study", "simulate", study, "--participants", "1"}), "1 simulated");
+  EXPECT_TRUE(says(output({"study", "simulate", study, "--participants", "1"}), "1 simulated"));
   const std::string report = folder_ / "report.html";
   output({"report", study, "--run-mode", "simulated", "--out", report});
   const auto page = tests::contentOf(report);
-  expectIn(page, "Felt against the material");
-  expectIn(page, " SYNTHETIC, neither recorded");
-  expectIn(page, "bone.json");
-  expectIn(page, "bone.packing");
+  EXPECT_TRUE(says(page, "Felt against the material"));
+  EXPECT_TRUE(says(page, " SYNTHETIC, neither recorded"));
+  EXPECT_TRUE(says(page, "bone.json"));
+  EXPECT_TRUE(says(page, "bone.packing"));
 }
 
 TEST_F(ReamingCommands, WriteOnlyRenderableMaterialsWithinTheRequestedError) {
@@ -155,15 +156,20 @@ TEST_F(ReamingCommands, WriteOnlyRenderableMaterialsWithinTheRequestedError) {
     return longer;
   };
   const std::string out = folder_ / "m.json";
-  expectIn(refusal(with({"--axis", "normalised", "--out", out})), "lies over depth");
-  expectIn(refusal(with({"--axis", "normalised-series", "--out", out})), "lies over depth");
-  expectIn(refusal(with({"--spline", "linear", "--out", out})), "straight lines have two");
-  expectIn(refusal(with({"--nodes", "12", "--error", "0.1"})), "Leave one of the two away");
-  expectIn(refusal(with({"--nodes", "optimal", "--spline", "pchip"})), "cannot be found for pchip");
-  expectIn(refusal(with({"--nodes", "thinned", "--error", "0.0005"})), "cannot be had");
+  EXPECT_TRUE(says(refusal(with({"--axis", "normalised", "--out", out})), "lies over depth"));
+  EXPECT_TRUE(
+      says(refusal(with({"--axis", "normalised-series", "--out", out})), "lies over depth"));
+  EXPECT_TRUE(says(refusal(with({"--spline", "linear", "--out", out})), "straight lines have two"));
+  EXPECT_TRUE(
+      says(refusal(with({"--nodes", "12", "--error", "0.1"})), "Leave one of the two away"));
+  EXPECT_TRUE(says(
+      refusal(with({"--nodes", "optimal", "--spline", "pchip"})), "cannot be found for pchip"));
+  EXPECT_TRUE(says(refusal(with({"--nodes", "thinned", "--error", "0.0005"})), "cannot be had"));
   EXPECT_FALSE(std::filesystem::exists(out));
-  expectIn(output(with({"--nodes", "12"})), "nodes 12 / 12 / 12 (minimum, average, maximum)");
-  expectIn(output(with({"--envelope", "single-sample"})), "(minimum, middle-specimen, maximum)");
+  EXPECT_TRUE(
+      says(output(with({"--nodes", "12"})), "nodes 12 / 12 / 12 (minimum, average, maximum)"));
+  EXPECT_TRUE(
+      says(output(with({"--envelope", "single-sample"})), "(minimum, middle-specimen, maximum)"));
   const std::string report = folder_ / "report";
   output(with({"--spline", "cubic-natural", "--error", "0.41", "--report", report}));
   for (const std::string file :
@@ -181,13 +187,13 @@ TEST_F(ReamingCommands, WriteOnlyRenderableMaterialsWithinTheRequestedError) {
 
 TEST_F(ReamingCommands, CompareTwoSplinesOnTwelveNodes) {
   std::vector<std::string> call{"material", "compare", "--static", staticTest(0.5)};
-  expectIn(refusal(call), "There are static/force/minimum, static/force/average");
+  EXPECT_TRUE(says(refusal(call), "There are static/force/minimum, static/force/average"));
   call.insert(call.end(), {"--curve", "static/force/maximum", "--report", folder_ / "figure"});
   const auto said = output(call);
-  expectIn(said, "static/force/maximum: 12 nodes, placed for cubic-natural");
-  expectIn(said, "cubic-natural: |e_a| with a floor of 10 N up to ");
-  expectIn(said, "hermite-data-slope: |e_a| with a floor of 10 N up to ");
-  expectIn(said, "mm, where cubic-natural is worst)");
+  EXPECT_TRUE(says(said, "static/force/maximum: 12 nodes, placed for cubic-natural"));
+  EXPECT_TRUE(says(said, "cubic-natural: |e_a| with a floor of 10 N up to "));
+  EXPECT_TRUE(says(said, "hermite-data-slope: |e_a| with a floor of 10 N up to "));
+  EXPECT_TRUE(says(said, "mm, where cubic-natural is worst)"));
   EXPECT_TRUE(
       std::filesystem::exists(folder_ / "figure/figure-7-splines-static-force-maximum.svg"));
 }
@@ -197,9 +203,9 @@ TEST_F(ReamingCommands, MarkARealShapeOfSyntheticMaterialAsSynthetic) {
   output({"packing", "build", box("box.obj", 1.0, false), "--count", "500", "--out", built});
   EXPECT_EQ(tests::contentOf(built).find("\"synthetic\":true"), std::string::npos);
   const std::string fitted = folder_ / "fitted.packing";
-  expectIn(
-      output({"packing", "fit", built, "--material", "parametric", "--out", fitted}), "SYNTHETIC");
-  expectIn(tests::contentOf(fitted), "\"synthetic\":true");
+  EXPECT_TRUE(says(
+      output({"packing", "fit", built, "--material", "parametric", "--out", fitted}), "SYNTHETIC"));
+  EXPECT_TRUE(says(tests::contentOf(fitted), "\"synthetic\":true"));
 }
 
 TEST_F(ReamingCommands, FitACornerToEveryCurve) {
@@ -228,10 +234,10 @@ TEST_F(ReamingCommands, FitACornerToEveryCurve) {
 
 TEST_F(ReamingCommands, FillAMeshOrReportWhyNot) {
   const std::string out = folder_ / "box.packing";
-  expectIn(
+  EXPECT_TRUE(says(
       output({"packing", "build", box("box.obj", 1.0, false), "--count", "500", "--out", out}),
-      "72.0 cm³");
-  expectIn(
+      "72.0 cm³"));
+  EXPECT_TRUE(says(
       palpate({"packing",
                "build",
                box("m.obj", 0.001, false),
@@ -240,16 +246,20 @@ TEST_F(ReamingCommands, FillAMeshOrReportWhyNot) {
                "--out",
                folder_ / "m.packing"})
           .error,
-      "its numbers are metres");
-  expectIn(refusal({"packing", "build", "--count", "9", "--out", out}), "is there already");
-  expectIn(refusal({"packing", "build", "--count", "9", "--out", folder_ / "x"}), ".packing");
+      "its numbers are metres"));
+  EXPECT_TRUE(
+      says(refusal({"packing", "build", "--count", "9", "--out", out}), "is there already"));
+  EXPECT_TRUE(
+      says(refusal({"packing", "build", "--count", "9", "--out", folder_ / "x"}), ".packing"));
   const std::string other = folder_ / "other.packing";
-  expectIn(refusal({"packing", "build", box("o.obj", 1.0, true), "--out", other}), "open: 3 edges");
-  expectIn(refusal({"packing", "build", box("h.obj", 1e4, false), "--out", other}), "--unit");
-  expectIn(refusal({"packing", "build", folder_ / "none.stl", "--out", other}), "no file");
-  expectIn(
+  EXPECT_TRUE(says(
+      refusal({"packing", "build", box("o.obj", 1.0, true), "--out", other}), "open: 3 edges"));
+  EXPECT_TRUE(
+      says(refusal({"packing", "build", box("h.obj", 1e4, false), "--out", other}), "--unit"));
+  EXPECT_TRUE(says(refusal({"packing", "build", folder_ / "none.stl", "--out", other}), "no file"));
+  EXPECT_TRUE(says(
       refusal({"packing", "build", folder_.write("text.stl", "no mesh"), "--out", other}),
-      "no STL, OBJ or PLY file");
+      "no STL, OBJ or PLY file"));
 }
 
 TEST_F(ReamingCommands, FitDensitiesBySwarmOptimisation) {
@@ -262,16 +272,16 @@ TEST_F(ReamingCommands, FitDensitiesBySwarmOptimisation) {
     return call;
   };
   const std::vector<std::string> swarm{"--method", "swarm", "--iterations", "200"};
-  expectIn(
+  EXPECT_TRUE(says(
       output(fit("swarm.packing", swarm)),
-      "a particle swarm (12 layers, 40 particles, 200 steps, seed 1)");
+      "a particle swarm (12 layers, 40 particles, 200 steps, seed 1)"));
   const auto first = tests::contentOf(folder_ / "swarm.packing");
-  expectIn(first, "\"fitted\":true");
-  expectIn(first, "by a particle swarm");
+  EXPECT_TRUE(says(first, "\"fitted\":true"));
+  EXPECT_TRUE(says(first, "by a particle swarm"));
   // The same seed gives the same bone, and a scene can use it.
   output(fit("again.packing", swarm));
   EXPECT_EQ(tests::contentOf(folder_ / "again.packing"), first);
-  expectIn(refusal(fit("x.packing", {"--layers", "6"})), "add --method swarm");
+  EXPECT_TRUE(says(refusal(fit("x.packing", {"--layers", "6"})), "add --method swarm"));
 }
 
 }  // namespace reaming_commands_test

@@ -4,27 +4,25 @@
 
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
+#include "tests/support/says.h"
 #include "tests/support/scratch_folder.h"
 
 namespace texts_command_test {
 
 using nlohmann::json;
+using tests::says;
 
 tests::Finished palpate(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), tests::program());
   return tests::run(arguments);
 }
 
-bool says(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
-
 TEST(TextsCommand, FillsInTheTextsOfAProtocolOnce) {
   const tests::ScratchFolder folder;
   const auto list = palpate({"protocol", "texts", "punch-face-validity"});
   EXPECT_EQ(list.status, 0) << list.error;
-  EXPECT_TRUE(says(list.out, "0 of 10 blanks are filled in.")) << list.out;
-  EXPECT_TRUE(says(list.out, "a session takes about")) << list.out;
+  EXPECT_TRUE(says(list.out, "0 of 10 blanks are filled in."));
+  EXPECT_TRUE(says(list.out, "a session takes about"));
   const std::string file = folder / "filled.json";
   const auto filled = palpate(
       {"protocol",
@@ -44,7 +42,7 @@ TEST(TextsCommand, FillsInTheTextsOfAProtocolOnce) {
   EXPECT_TRUE(blanks[1]["text"].is_null());
   const auto checked = palpate({"protocol", "check", file});
   EXPECT_FALSE(says(checked.out, "[[institution]]")) << checked.out;
-  EXPECT_TRUE(says(checked.out, "[[contact]]")) << checked.out;
+  EXPECT_TRUE(says(checked.out, "[[contact]]"));
 }
 
 TEST(TextsCommand, RefusesATextForWhichThereIsNoBlank) {
@@ -52,7 +50,7 @@ TEST(TextsCommand, RefusesATextForWhichThereIsNoBlank) {
   const auto refused = palpate(
       {"protocol", "texts", "two-devices", "--set", "nothing=x", "--out", folder / "b.json"});
   EXPECT_EQ(refused.status, 1);
-  EXPECT_TRUE(says(refused.error, "'nothing'")) << refused.error;
+  EXPECT_TRUE(says(refused.error, "'nothing'"));
 }
 
 TEST(TextsCommand, AmendsAStudy) {

@@ -7,9 +7,12 @@
 #include "tests/study/everything_instrument.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
+#include "tests/support/says.h"
 
 namespace study {
 namespace named_people_test {
+
+using tests::says;
 
 class NamedPeopleTest : public testing::Test {
  protected:
@@ -29,10 +32,6 @@ class NamedPeopleTest : public testing::Test {
         *study_, folder_ / name, {.runMode = RunMode::Live, .isExact = isExact, .hasTexts = true});
     return tests::contentOf(folder_ / name + "/README.md");
   }
-  static bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-  }
-
   tests::ScratchFolder folder_;
   tests::MadeStudy study_{tests::protocolFrom(
       tests::protocolWithEverything(), {{"everything.json", tests::everythingInstrument()}})};
@@ -40,42 +39,42 @@ class NamedPeopleTest : public testing::Test {
 
 TEST_F(NamedPeopleTest, AreFoundInWhatOthersWrote) {
   take("Kari Åsgård", "it felt soft");
-  EXPECT_TRUE(has(readme("without"), "No name that the study keeps apart is in this folder"));
+  EXPECT_TRUE(says(readme("without"), "No name that the study keeps apart is in this folder"));
   take("Ola Nordmann", "As KARI said, and ÅSGÅRD too: soft.");
   const auto text = readme("with");
-  EXPECT_TRUE(has(text, "THIS FOLDER NAMES PEOPLE: 1 cell has")) << text;
-  EXPECT_TRUE(has(text, "(texts: 1)")) << text;
-  EXPECT_FALSE(has(text, "Åsgård") || has(text, "Nordmann")) << "it does not repeat them";
+  EXPECT_TRUE(says(text, "THIS FOLDER NAMES PEOPLE: 1 cell has"));
+  EXPECT_TRUE(says(text, "(texts: 1)"));
+  EXPECT_FALSE(says(text, "Åsgård") || says(text, "Nordmann")) << "it does not repeat them";
 }
 
 TEST_F(NamedPeopleTest, AreNotFoundInPartsOfOtherWords) {
   take("Ann Ek", "Annoying: a bare ekko");
-  EXPECT_TRUE(has(readme("out"), "No name that the study keeps apart is in this folder"));
+  EXPECT_TRUE(says(readme("out"), "No name that the study keeps apart is in this folder"));
 }
 
 TEST_F(NamedPeopleTest, CannotBeSearchedForWhereNoNameIsKept) {
   take("X", "Kari was here");
   const auto text = readme("out");
-  EXPECT_TRUE(has(text, "keeps no names")) << text;
-  EXPECT_FALSE(has(text, "Nothing in this folder names a person")) << text;
+  EXPECT_TRUE(says(text, "keeps no names"));
+  EXPECT_FALSE(says(text, "Nothing in this folder names a person")) << text;
 }
 
 TEST_F(NamedPeopleTest, WhoAreAloneWithTheirBackgroundAreCounted) {
   for (int i = 0; i < 4; ++i) take("Xy", "", 3.0);
-  EXPECT_TRUE(has(readme("alike"), "0 of 4 people are alone"));
+  EXPECT_TRUE(says(readme("alike"), "0 of 4 people are alone"));
   take("Xy", "", 4.0);
-  EXPECT_TRUE(has(readme("of one band"), "0 of 5 people are alone"));
-  EXPECT_TRUE(has(readme("exact", true), "1 of 5 people are alone"));
+  EXPECT_TRUE(says(readme("of one band"), "0 of 5 people are alone"));
+  EXPECT_TRUE(says(readme("exact", true), "1 of 5 people are alone"));
   take("Xy", "", 27.0);
-  EXPECT_TRUE(has(readme("alone"), "1 of 6 people are alone"));
+  EXPECT_TRUE(says(readme("alone"), "1 of 6 people are alone"));
 }
 
 TEST_F(NamedPeopleTest, AreFoundInParticipantCodes) {
   auto session = Session::enrol(*study_, {.cohort = "surgeons", .code = "KARI-1"});
   tests::walkToTheEnd(session);
-  EXPECT_FALSE(has(readme("without"), "NAMES PEOPLE"));
+  EXPECT_FALSE(says(readme("without"), "NAMES PEOPLE"));
   take("Kari Åsgård", "");
-  EXPECT_TRUE(has(readme("with"), "THIS FOLDER NAMES PEOPLE"));
+  EXPECT_TRUE(says(readme("with"), "THIS FOLDER NAMES PEOPLE"));
 }
 
 using Words = std::vector<std::string>;

@@ -9,6 +9,7 @@
 #include "protocols/load_protocol.h"
 #include "study/session/session.h"
 #include "study/trial/hardware_device_set.h"
+#include "tests/support/says.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 
@@ -17,6 +18,7 @@ namespace device_file_test {
 
 using haptics::devices::punchKind;
 using haptics::devices::reamerKind;
+using tests::says;
 
 constexpr const char* kBoth = R"({
   "format": "palpate-devices-1",
@@ -38,10 +40,6 @@ std::string objectionsTo(const std::string& text) {
   questionnaires::Problems problems;
   EXPECT_FALSE(readDevices(text, problems));
   return questionnaires::describe(problems.all());
-}
-
-void expectIn(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
 TEST(DeviceFile, ReadsHowEveryDeviceIsConnected) {
@@ -110,23 +108,24 @@ TEST(DeviceFile, ReportsAllProblemsAtOnce) {
         "speed",
         "'phantom' is not known",
         "$.devices[3]"}) {
-    expectIn(words, part);
+    EXPECT_TRUE(says(words, part));
   }
 }
 
 TEST(DeviceFile, RefusesUnknownSpeedsOfSerialPorts) {
   const auto words = objectionsTo(R"({"format": "palpate-devices-1", "devices": [
         {"id": "p", "type": "punch-serial", "port": "a", "newtons_per_volt": 1, "baud": 9600}]})");
-  expectIn(words, "cannot go at 9600 baud");
-  expectIn(words, "write 0 for USB, or one of 115200, 230400, 460800, 921600, 1000000, 2000000");
+  EXPECT_TRUE(says(words, "cannot go at 9600 baud"));
+  EXPECT_TRUE(
+      says(words, "write 0 for USB, or one of 115200, 230400, 460800, 921600, 1000000, 2000000"));
 }
 
 TEST(DeviceFile, ReportsThatAVersionNeedsQuotes) {
   const auto words = objectionsTo(R"({"format": "palpate-devices-1", "devices": [
         {"id": "r", "type": "iiwa-fri", "robot_address": "127.0.0.1", "fri_version": 1.15}]})");
-  expectIn(words, "fri_version");
-  expectIn(words, R"("1.15")");
-  expectIn(words, "with its quotes");
+  EXPECT_TRUE(says(words, "fri_version"));
+  EXPECT_TRUE(says(words, R"("1.15")"));
+  EXPECT_TRUE(says(words, "with its quotes"));
 }
 
 TEST(DeviceFile, WritesWholeDegreesWithoutRoundingErrors) {
@@ -134,16 +133,16 @@ TEST(DeviceFile, WritesWholeDegreesWithoutRoundingErrors) {
   auto& arm = std::get<haptics::devices::IiwaSettings>(reamer.settings);
   arm.zero = haptics::wire::fri::Joints{0.0, std::numbers::pi / 6.0, 0.0, -std::numbers::pi / 2.0};
   const auto text = devicesAsJson({reamer});
-  expectIn(text, "\"position_deg\": 5.0,");
-  expectIn(text, " 30.0,");
-  expectIn(text, " -90.0,");
+  EXPECT_TRUE(says(text, "\"position_deg\": 5.0,"));
+  EXPECT_TRUE(says(text, " 30.0,"));
+  EXPECT_TRUE(says(text, " -90.0,"));
 }
 
 TEST(DeviceFile, SuggestsTheIntendedKey) {
-  expectIn(
+  EXPECT_TRUE(says(
       objectionsTo(R"({"format": "palpate-devices-1", "devices": [
         {"id": "p", "type": "punch-serial", "port": "a", "newton_per_volt": 1}]})"),
-      "newtons_per_volt");
+      "newtons_per_volt"));
 }
 
 TEST(DeviceFile, CanBeCopiedFromTheDocumentation) {
@@ -167,7 +166,7 @@ TEST(DeviceFile, HasEveryKeyInTheDocumentation) {
   for (auto colon = text.find("\":"); colon != std::string::npos;
        colon = text.find("\":", colon + 1)) {
     const auto quote = text.rfind('"', colon - 1);
-    expectIn(page, "`" + text.substr(quote + 1, colon - quote - 1) + "`");
+    EXPECT_TRUE(says(page, "`" + text.substr(quote + 1, colon - quote - 1) + "`"));
     ++keys;
   }
   EXPECT_GT(keys, 10);
@@ -186,9 +185,9 @@ TEST(HardwareDeviceSet, RefusesDevicesThatTheFileDoesNotList) {
     }
     return std::string();
   };
-  expectIn(refusal({.id = "knife"}), "'knife'");
-  expectIn(refusal({.id = "spare", .kind = &punchKind()}), "needs a punch as 'spare'");
-  expectIn(refusal({.id = "punch", .kind = &punchKind()}), "There is no serial port");
+  EXPECT_TRUE(says(refusal({.id = "knife"}), "'knife'"));
+  EXPECT_TRUE(says(refusal({.id = "spare", .kind = &punchKind()}), "needs a punch as 'spare'"));
+  EXPECT_TRUE(says(refusal({.id = "punch", .kind = &punchKind()}), "There is no serial port"));
   EXPECT_FALSE(deviceSet.isOpen("punch"));
   EXPECT_EQ(refusal({.id = "spare", .kind = &reamerKind()}), "");
   EXPECT_TRUE(deviceSet.isOpen("spare"));
@@ -204,7 +203,7 @@ TEST(Preflight, WarnsIfTheProtocolNeedsMoreForceThanTheDeviceHas) {
   const auto found = preflight(*deviceSet.find("spare"), &protocol, "spare", 0.1);
   EXPECT_EQ(found.back().finding, haptics::devices::Finding::Warn);
   EXPECT_EQ(base::describe(found.back().measured), "300 N of 140 N");
-  expectIn(base::describe(found.back().fix), "force_scale");
+  EXPECT_TRUE(says(base::describe(found.back().fix), "force_scale"));
 }
 
 TEST(Preflight, WarnsOfADeviceThatIsTooSlowForTheStiffestScene) {

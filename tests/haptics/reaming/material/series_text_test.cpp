@@ -3,21 +3,16 @@
 #include "haptics/reaming/material/series.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "haptics/recordings/recording.h"
+#include "tests/support/complaint.h"
+#include "tests/support/says.h"
 
 namespace haptics::reaming {
 namespace series_text_test {
 
-std::string complaintAbout(const std::string& text, const SeriesMapping& mapping = {}) {
-  try {
-    readSeries(text, "a.csv", mapping);
-  } catch (const base::UserError& error) {
-    return error.what();
-  }
-  return "nothing";
-}
+using tests::says;
 
-void expectMentions(const std::string& text, const std::string& words) {
-  EXPECT_NE(text.find(words), std::string::npos) << text << "\n  does not mention: " << words;
+std::string complaintAbout(const std::string& text, const SeriesMapping& mapping = {}) {
+  return tests::complaintOf([&] { readSeries(text, "a.csv", mapping); });
 }
 
 TEST(SeriesText, IsReadBackUnchanged) {
@@ -58,35 +53,36 @@ TEST(SeriesText, KeepsTheMarkOfSyntheticData) {
   EXPECT_FALSE(readSeries(measured, "m.csv", {}).isSynthetic);
   EXPECT_FALSE(readSeries("# Tuesday, machine 2\n" + measured, "m.csv", {}).isSynthetic);
   EXPECT_TRUE(readSeries("# Tuesday\n# SYNTHETIC\n" + measured, "m.csv", {}).isSynthetic);
-  expectMentions(complaintAbout("# Tuesday\n\n" + measured + "0.03,3,x\n"), "line 7: the force");
+  EXPECT_TRUE(says(complaintAbout("# Tuesday\n\n" + measured + "0.03,3,x\n"), "line 7: the force"));
 }
 
 TEST(SeriesText, RefusesWhatIsInAnotherUnit) {
-  expectMentions(
+  EXPECT_TRUE(says(
       complaintAbout("time_s,displacement_m,force_n\n0,0,1\n1,7.5,3\n2,15.2,3\n"),
-      "the displacement goes over 15.200 m");
-  expectMentions(
+      "the displacement goes over 15.200 m"));
+  EXPECT_TRUE(says(
       complaintAbout("time_s,displacement_mm,force_kn\n0,0,1\n1,7.5,30\n2,15.2,800\n"),
-      "the force goes to 800.0 kN");
+      "the force goes to 800.0 kN"));
 }
 
 TEST(SeriesText, DescribesErrorsInASentence) {
   const std::string head = "time_s,displacement_mm,force_n\n";
-  expectMentions(complaintAbout(head + "0,0,1\n"), "has 1 rows below its head");
-  expectMentions(complaintAbout(""), "has 0 rows");
-  expectMentions(
-      complaintAbout(head + "0,0,1\n0.01,1,nan\n0.02,2,3\n"), "line 3: the force is 'nan'");
-  expectMentions(complaintAbout(head + "0,0,1\n0.01,1,\n0.02,2,3\n"), "line 3: the force is ''");
-  expectMentions(
+  EXPECT_TRUE(says(complaintAbout(head + "0,0,1\n"), "has 1 rows below its head"));
+  EXPECT_TRUE(says(complaintAbout(""), "has 0 rows"));
+  EXPECT_TRUE(
+      says(complaintAbout(head + "0,0,1\n0.01,1,nan\n0.02,2,3\n"), "line 3: the force is 'nan'"));
+  EXPECT_TRUE(says(complaintAbout(head + "0,0,1\n0.01,1,\n0.02,2,3\n"), "line 3: the force is ''"));
+  EXPECT_TRUE(says(
       complaintAbout(head + "0,0,1\n0.01,1,2\n0.02,2,3\n0.20,3,4\n0.21,4,5\n"),
-      "between lines 4 and 5 the time goes on by");
-  expectMentions(
-      complaintAbout("time_s,depth_mm,load\n0,0,1\n1,2,3\n2,3,4\n"), "has no column for the force");
-  expectMentions(
+      "between lines 4 and 5 the time goes on by"));
+  EXPECT_TRUE(says(
+      complaintAbout("time_s,depth_mm,load\n0,0,1\n1,2,3\n2,3,4\n"),
+      "has no column for the force"));
+  EXPECT_TRUE(says(
       complaintAbout("time_s,depth_furlongs,force_n\n0,0,1\n1,2,3\n2,3,4\n"),
-      "'furlongs' is no unit of displacement");
-  expectMentions(complaintAbout("time,depth_mm,force_n\n0,0,1\n1,2,3\n2,3,4\n"), "no unit");
-  expectMentions(complaintAbout(head + "0,0,1\n0,1,2\n0,2,3\n"), "the time does not go on");
+      "'furlongs' is no unit of displacement"));
+  EXPECT_TRUE(says(complaintAbout("time,depth_mm,force_n\n0,0,1\n1,2,3\n2,3,4\n"), "no unit"));
+  EXPECT_TRUE(says(complaintAbout(head + "0,0,1\n0,1,2\n0,2,3\n"), "the time does not go on"));
 }
 
 }  // namespace series_text_test

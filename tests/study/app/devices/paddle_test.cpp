@@ -8,10 +8,13 @@
 #include "protocols/load_protocol.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
+#include "tests/support/says.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 
 namespace paddle_test {
+
+using tests::says;
 
 std::string textIn(const std::filesystem::path& file) {
   std::ifstream stream(file);
@@ -22,10 +25,6 @@ std::string textIn(const std::filesystem::path& file) {
 
 std::filesystem::path protocol() {
   return tests::repository() / "tests/study/app/devices/paddle.json";
-}
-
-void expectIn(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text.substr(0, 20'000);
 }
 
 std::string palpate(std::vector<std::string> call) {
@@ -40,10 +39,10 @@ TEST(DevicePaddle, RunsOnItsWireAndIsReportedInItsWordsAndUnits) {
   const std::string out = folder / "rehearsal";
   const auto rehearsed =
       palpate({"device", "rehearse", "--protocol", protocol().string(), "--out", out});
-  expectIn(rehearsed, "Emulating 'paddle': ");
-  expectIn(rehearsed, " degrees");
-  expectIn(rehearsed, "force at most");
-  expectIn(textIn(out + "/devices.json"), "\"paddle-serial\"");
+  EXPECT_TRUE(says(rehearsed, "Emulating 'paddle': "));
+  EXPECT_TRUE(says(rehearsed, " degrees"));
+  EXPECT_TRUE(says(rehearsed, "force at most"));
+  EXPECT_TRUE(says(textIn(out + "/devices.json"), "\"paddle-serial\""));
 
   const std::string study = out + "/study";
   palpate(
@@ -57,10 +56,10 @@ TEST(DevicePaddle, RunsOnItsWireAndIsReportedInItsWordsAndUnits) {
        "--out",
        folder / "export"});
   const auto trials = textIn(folder / "export/trials.csv");
-  expectIn(trials, "paddle on ");
+  EXPECT_TRUE(says(trials, "paddle on "));
   const auto codebook = textIn(folder / "export/codebook.json");
-  expectIn(codebook, "Presses that were made");
-  expectIn(codebook, "Where the load began to rise [deg]");
+  EXPECT_TRUE(says(codebook, "Presses that were made"));
+  EXPECT_TRUE(says(codebook, "Where the load began to rise [deg]"));
 
   const auto reported = [&](const std::string& language) {
     const std::string file = folder / ("report-" + language + ".html");
@@ -78,11 +77,11 @@ TEST(DevicePaddle, RunsOnItsWireAndIsReportedInItsWordsAndUnits) {
     return textIn(file);
   };
   const auto english = reported("en");
-  expectIn(english, "at least 2 presses");
-  expectIn(english, "4 presses");
+  EXPECT_TRUE(says(english, "at least 2 presses"));
+  EXPECT_TRUE(says(english, "4 presses"));
   EXPECT_EQ(english.find("cuts or strokes"), std::string::npos);
-  expectIn(reported("de"), "mindestens 2 Druckbewegungen");
-  expectIn(reported("nb"), "minst 2 trykk");
+  EXPECT_TRUE(says(reported("de"), "mindestens 2 Druckbewegungen"));
+  EXPECT_TRUE(says(reported("nb"), "minst 2 trykk"));
 }
 
 TEST(DevicePaddle, RefusesACutRecordedInAnotherUnit) {
@@ -94,9 +93,9 @@ TEST(DevicePaddle, RefusesACutRecordedInAnotherUnit) {
   questionnaires::Problems problems;
   EXPECT_FALSE(protocols::loadProtocol(
       text, [](const std::string&) { return std::nullopt; }, problems));
-  expectIn(
+  EXPECT_TRUE(says(
       questionnaires::describe(problems.all()),
-      "the travel of interpolation is in 'travel_unit', and that of a paddle in 'deg'");
+      "the travel of interpolation is in 'travel_unit', and that of a paddle in 'deg'"));
 }
 
 TEST(DevicePaddle, IsRefusedWithAVisualisation) {
@@ -106,7 +105,7 @@ TEST(DevicePaddle, IsRefusedWithAVisualisation) {
   questionnaires::Problems problems;
   EXPECT_FALSE(protocols::loadProtocol(
       text, [](const std::string&) { return std::nullopt; }, problems));
-  expectIn(questionnaires::describe(problems.all()), "nothing can be seen with a paddle");
+  EXPECT_TRUE(says(questionnaires::describe(problems.all()), "nothing can be seen with a paddle"));
 }
 
 }  // namespace paddle_test
