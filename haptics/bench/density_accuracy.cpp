@@ -8,6 +8,7 @@
 #include <Eigen/SparseCore>
 
 #include "haptics/bench/measurement.h"
+#include "haptics/filters/averages.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "haptics/reaming/packing/density_fit.h"
 #include "haptics/reaming/packing/packing_builder.h"
@@ -116,8 +117,8 @@ void timeSwarms(
        .setting = setting,
        .method = "swarm, median of " + std::to_string(kSeeds) + " seeds",
        .parameter = parameter,
-       .error = medianOf(errors),
-       .time = Timing{medianOf(times), std::ranges::max(times)}});
+       .error = filters::upperMedian(errors),
+       .time = Timing{filters::upperMedian(times), std::ranges::max(times)}});
 }
 
 /// Fits one density per layer, by bounded least squares and by the swarm.

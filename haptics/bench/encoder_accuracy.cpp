@@ -3,6 +3,7 @@
 #include "haptics/bench/measurement.h"
 #include "haptics/engine/built_in_models.h"
 #include "haptics/engine/compiled_scene.h"
+#include "haptics/filters/averages.h"
 
 namespace haptics::bench {
 namespace {
@@ -60,7 +61,7 @@ void measureEncoders(const AccuracyRun& run) {
              .setting = "RMS difference from an ideal encoder [N], " + at,
              .method = name,
              .parameter = quantum,
-             .error = rmsDifference(felt, ideal)});
+             .error = filters::rmsDifference(felt, ideal)});
         run.report(
             {.family = "encoder",
              .setting = "RMS chatter [N], " + at,

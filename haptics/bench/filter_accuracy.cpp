@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "haptics/bench/measurement.h"
+#include "haptics/filters/averages.h"
 #include "haptics/filters/low_pass.h"
 #include "haptics/filters/spectrum.h"
 #include "haptics/reaming/material/node_choice.h"
@@ -32,16 +33,17 @@ double medianNanoseconds(Work work, int repetitions = 7) {
     work();
     times.push_back(nanosecondsSince(start));
   }
-  return medianOf(times);
+  return filters::upperMedian(times);
 }
 
 /// The smallest error of many cut-offs, compared with the noiseless curve.
 double bestOfAllCutoffs(const reaming::Series& series, const reaming::Series& truth) {
-  double best = rmsDifference(series.force, truth.force);
+  double best = filters::rmsDifference(series.force, truth.force);
   for (double cutoff = 0.005; cutoff < 20.0; cutoff *= 1.15) {
     best = std::min(
         best,
-        rmsDifference(filters::zeroPhaseLowPass(series.force, series.rate, cutoff), truth.force));
+        filters::rmsDifference(
+            filters::zeroPhaseLowPass(series.force, series.rate, cutoff), truth.force));
   }
   return best;
 }
@@ -70,7 +72,7 @@ void measureCutoffs(const AccuracyRun& run) {
     });
     const bool isOurs = rule == CutoffRule::Floor;
     add(isOurs ? "detrended-hann" : "plain",
-        rmsDifference(filtered, truth.force),
+        filters::rmsDifference(filtered, truth.force),
         isOurs ? std::optional(kMostTimesTheBestCutoff * best) : std::nullopt,
         time);
   }

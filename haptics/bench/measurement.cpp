@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <map>
 #include <thread>
 
 #include "base/text_table.h"
 #include "haptics/bench/peers/peers.h"
+#include "haptics/filters/averages.h"
 
 namespace haptics::bench {
 namespace {
@@ -40,17 +40,6 @@ std::vector<std::optional<Timing>> optional(const std::vector<Timing>& timings) 
 }
 
 }  // namespace
-
-double medianOf(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-double rmsDifference(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum / static_cast<double>(a.size()));
-}
 
 std::vector<std::optional<Timing>> AccuracyRun::times(
     const std::vector<Contestant>& contestants) const {
@@ -116,7 +105,8 @@ std::vector<RepeatedMeasurement> mergedOverProcesses(const std::vector<Measureme
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& medians = times[i].medians;
     if (medians.empty()) continue;
-    all[i].measurement.time = Timing{medianOf(medians), medianOf(times[i].p99s)};
+    all[i].measurement.time =
+        Timing{filters::upperMedian(medians), filters::upperMedian(times[i].p99s)};
     all[i].fastest = *std::min_element(medians.begin(), medians.end());
     all[i].slowest = *std::max_element(medians.begin(), medians.end());
   }

@@ -40,12 +40,6 @@ struct AccuracyRun {
       const std::vector<Contestant>& contestants, int rounds) const;
 };
 
-/// The middle of the sorted @p values; of an even number the upper one.
-double medianOf(std::vector<double> values);
-
-/// The root mean square of a[i] − b[i]; both have as many values.
-double rmsDifference(const std::vector<double>& a, const std::vector<double>& b);
-
 // Each function reports errors and times of Palpate's method and of others. docs/benchmarks.md
 // explains them. All errors are deterministic.
 

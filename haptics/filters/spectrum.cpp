@@ -6,6 +6,8 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
+#include "haptics/filters/averages.h"
+
 namespace haptics::filters {
 namespace {
 
@@ -58,11 +60,8 @@ Spectrum spectrumOf(std::span<const double> samples, double rate, CutoffRule rul
 double cutoffOf(std::span<const double> samples, double rate, CutoffRule rule) {
   const Spectrum spectrum = spectrumOf(samples, rate, rule);
   const auto& amplitude = spectrum.amplitude;
-  auto upper = std::vector<double>(
-      amplitude.begin() + static_cast<std::ptrdiff_t>(amplitude.size() / 2), amplitude.end());
-  const auto middle = upper.begin() + static_cast<std::ptrdiff_t>(upper.size() / 2);
-  std::nth_element(upper.begin(), middle, upper.end());
-  const double floor = *middle;
+  const double floor = upperMedian(
+      {amplitude.begin() + static_cast<std::ptrdiff_t>(amplitude.size() / 2), amplitude.end()});
 
   constexpr std::size_t kNeighbours = 3;
   constexpr double kAboveFloor = 2.0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "haptics/filters/averages.h"
 #include "haptics/filters/low_pass.h"
 #include "haptics/reaming/material/envelope.h"
 
@@ -87,12 +88,6 @@ DepthEnvelope envelopeOf(
                                           : envelopeOfRunningTests(specimens, options.envelope);
 }
 
-double rmsBetween(std::span<const double> a, std::span<const double> b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum / static_cast<double>(a.size()));
-}
-
 std::vector<double> filtered(
     const std::vector<double>& samples, const Series& series, double cutoff) {
   if (series.set == TestSet::Static) return samples;
@@ -148,7 +143,7 @@ PreparedSeries prepared(const Series& series, const FitOptions& options) {
   };
   if (isFiltered) result.cutoff = cutoffFor(series.force, options.cutoff);
   const auto cleaned = filtered(series.force, series, result.cutoff);
-  result.jitter = rmsBetween(series.force, cleaned);
+  result.jitter = filters::rmsDifference(series.force, cleaned);
   result.force = overDepth(series, cleaned);
   result.largestDisplacement = result.force.x.back();
   result.isCensored =

@@ -11,6 +11,7 @@
 
 #include "base/file.h"
 #include "base/text_table.h"
+#include "haptics/filters/averages.h"
 #include "haptics/recordings/recording.h"
 
 namespace haptics::reaming {
@@ -114,9 +115,7 @@ double rateOf(
     const std::vector<double>& time, const std::vector<TextLine>& lines, const std::string& name) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  const double usual = *middle;
+  const double usual = filters::upperMedian(std::move(steps));
   if (!(usual > 0.0)) throw base::UserError(name + ": the time does not go on.");
   for (std::size_t i = 1; i < time.size(); ++i) {
     const double step = time[i] - time[i - 1];
@@ -272,14 +271,6 @@ std::optional<std::string> implausibilityIn(const Series& series) {
   return std::nullopt;
 }
 
-double medianOf(std::vector<double> values) {
-  std::nth_element(
-      values.begin(),
-      values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-      values.end());
-  return values[values.size() / 2];
-}
-
 std::optional<std::string> feedChangeIn(const Series& series) {
   constexpr std::size_t kParts = 20;
   constexpr double kToleratedChange = 1.0 / 3.0;
@@ -290,7 +281,7 @@ std::optional<std::string> feedChangeIn(const Series& series) {
     const std::size_t to = (part + 1) * (x.size() - 1) / kParts;
     feeds.push_back((x[to] - x[from]) * series.rate / static_cast<double>(to - from));
   }
-  const double usual = medianOf(feeds);
+  const double usual = filters::upperMedian(feeds);
   for (std::size_t part = 0; part < kParts; ++part) {
     if (std::abs(feeds[part] - usual) <= kToleratedChange * usual) continue;
     const auto second = [&](std::size_t of) {
