@@ -156,9 +156,6 @@ void measureDensity(const AccuracyRun& run) {
   for (const std::size_t layers : {12, 50}) fitLayers(problem, layers, run);
   if (run.isShortRun) return;
   for (const int iterations : {20, 100}) {
-    timeFit(all, "multiplicative (MLEM)", iterations, run, [&, n = iterations] {
-      return reaming::fitMultiplicative(problem.matrix, problem.forces, problem.uniform, n);
-    });
     timeFit(all, "Eigen LSCG, cut off at 0", iterations, run, [&, n = iterations] {
       return eigenLeastSquares(problem, n);
     });

@@ -69,8 +69,8 @@ void measureFilter(const AccuracyRun& run);
 /// contact and removal with warm and cold caches.
 void measurePacking(const AccuracyRun& run);
 
-/// Fits of densities: relative error of the force by bounded least squares, MLEM, conjugate
-/// gradients and a particle swarm.
+/// Fits of densities: relative error of the force by bounded least squares, conjugate gradients
+/// and a particle swarm.
 void measureDensity(const AccuracyRun& run);
 
 /// asLine() converts a measurement to a line of text for another process, and fromLine() converts

@@ -181,31 +181,6 @@ DensityFit fitNonNegative(
   return fit;
 }
 
-DensityFit fitMultiplicative(
-    const ContactMatrix& matrix,
-    std::span<const double> forces,
-    std::span<const double> prior,
-    int iterations) {
-  DensityFit fit{.densities = {prior.begin(), prior.end()}, .iterations = iterations};
-  const std::vector<double> ones(matrix.rows, 1.0);
-  const auto whole = matrix.transposedTimes(ones);
-  std::vector<double> ratio(matrix.rows);
-  for (int i = 0; i < iterations; ++i) {
-    const auto fittedForce = matrix.times(fit.densities);
-    for (std::size_t row = 0; row < matrix.rows; ++row) {
-      // Without a force no density can change the row: the ratio 1 has no effect.
-      ratio[row] = fittedForce[row] > 0.0 ? std::max(forces[row], 0.0) / fittedForce[row] : 1.0;
-    }
-    const auto factor = matrix.transposedTimes(ratio);
-    for (std::size_t column = 0; column < matrix.columns(); ++column) {
-      if (whole[column] > 0.0) fit.densities[column] *= factor[column] / whole[column];
-    }
-  }
-  fit.gap = std::numeric_limits<double>::quiet_NaN();
-  fit.error = errorOf(matrix, fit.densities, forces);
-  return fit;
-}
-
 namespace {
 
 /// Density of every sphere: that of its layer; spheres below the last touched layer get that

@@ -79,14 +79,6 @@ DensityFit fitNonNegative(
     std::span<const double> prior,
     double weight = 1e-6);
 
-/// Fits by multiplicative updates ρ ← ρ · Aᵀ(F / A ρ) / Aᵀ1, beginning with @p prior (MLEM, Shepp &
-/// Vardi 1982). Negative forces count as 0.
-DensityFit fitMultiplicative(
-    const ContactMatrix& matrix,
-    std::span<const double> forces,
-    std::span<const double> prior,
-    int iterations);
-
 /// The reaming paper's method: a particle swarm (Kennedy & Eberhart 1995, with the constriction
 /// factor of Clerc & Kennedy 2002). The paper does not state its parameters.
 struct SwarmOptions {

@@ -41,12 +41,17 @@ const Problem& problem() {
   return made;
 }
 
+std::vector<double> anyDensities(std::size_t spheres, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> density(0.0, 3e5);
+  std::vector<double> densities(spheres);
+  for (double& each : densities) each = density(random);
+  return densities;
+}
+
 TEST(ContactMatrix, EqualsTheForceOfTheField) {
   const auto& p = problem();
-  std::mt19937_64 random(2);
-  std::uniform_real_distribution<double> density(0.0, 3e5);
-  std::vector<double> densities;
-  for (std::size_t i = 0; i < p.packing.spheres.size(); ++i) densities.push_back(density(random));
+  const auto densities = anyDensities(p.packing.spheres.size(), 2);
   const SphereField field(p.packing, densities);
   const auto plunge = plungePathInto(field, 0.026);
   const auto forces = p.matrix.times(densities);
@@ -65,10 +70,7 @@ TEST(ContactMatrix, EqualsTheForceOfTheField) {
 
 TEST(LeverMatrix, EqualsTheLeverOfTheField) {
   const auto& p = problem();
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> density(0.0, 3e5);
-  std::vector<double> densities;
-  for (std::size_t i = 0; i < p.packing.spheres.size(); ++i) densities.push_back(density(random));
+  const auto densities = anyDensities(p.packing.spheres.size(), 3);
   const SphereField field(p.packing, densities);
   const auto plunge = plungePathInto(field, 0.026);
   const auto levers =
@@ -163,14 +165,6 @@ TEST(DensityFit, ReachesTheOptimumOfACurveThatNoSpheresCanFollow) {
     EXPECT_LE(fit.gap, 1e-6) << seed;
     EXPECT_GT(fit.error, 0.01) << seed;
   }
-}
-
-TEST(DensityFit, MultiplicativeComesCloseAndNeverGoesBelowZero) {
-  const auto& p = problem();
-  const std::vector<double> prior(p.matrix.columns(), uniformDensity(p.matrix, p.forces));
-  const auto fit = fitMultiplicative(p.matrix, p.forces, prior, 100);
-  EXPECT_LT(fit.error, 0.02);
-  for (const double density : fit.densities) ASSERT_GE(density, 0.0);
 }
 
 TEST(DensityFit, TheSwarmReachesTheOptimumOfAFewLayersAndNotOfAllSpheres) {
