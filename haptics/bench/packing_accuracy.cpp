@@ -97,10 +97,8 @@ void compareContacts(const Packing& packing, const AccuracyRun& run) {
       contestant("all of them, same loop", plunge, [&](const auto& r) {
         return pressingOverAll(field, r);
       })};
-  const auto peers = peers::spherePeers(packing, densities);
-  for (const auto& peer : peers) {
-    contestants.push_back(
-        contestant(peer->name(), plunge, [&](const auto& r) { return peer->pressing(r); }));
+  if (auto pressing = peers::nanoflannPressing(packing, densities)) {
+    contestants.push_back(contestant("nanoflann", plunge, std::move(pressing)));
   }
   constexpr int kColdRounds = 41;
   const double error = areaRipple(field, plunge);

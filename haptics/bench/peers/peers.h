@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,18 +48,10 @@ struct StringSolver {
 std::vector<StringSolver> stringPeers(
     const std::vector<double>& elementStiffnesses, double toolPosition);
 
-/// Another search for the spheres that a reamer's surface cuts; sums the same areas one by one.
-class SpherePeer {
- public:
-  virtual ~SpherePeer() = default;
-  virtual std::string name() const = 0;
-
-  /// Σ a ρ [N].
-  virtual double pressing(const reaming::Reamer& reamer) = 0;
-};
-
-/// nanoflann, a k-d tree of centres, if it was installed at build time; otherwise none.
-std::vector<std::unique_ptr<SpherePeer>> spherePeers(
+/// Another search for the spheres that a reamer's surface cuts, nanoflann's k-d tree of centres:
+/// the same Σ a ρ [N], summed one by one. Nothing if it was not installed at build time.
+/// @param packing, densities  must outlive the result.
+std::function<double(const reaming::Reamer&)> nanoflannPressing(
     const reaming::Packing& packing, const std::vector<double>& densities);
 
 /// Noise of eq. (22)–(24) of the punch paper, the same for all peers.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "haptics/bench/peers/peers.h"
@@ -36,7 +37,7 @@ double largestRadius(const Packing& packing) {
 
 /// Searches all centres within the outer radius; those too far inside the reamer are discarded
 /// afterwards.
-class Nanoflann final : public SpherePeer {
+class Nanoflann {
  public:
   Nanoflann(const Packing& packing, const std::vector<double>& densities)
       : packing_(packing),
@@ -44,8 +45,7 @@ class Nanoflann final : public SpherePeer {
         reach_(largestRadius(packing)),
         tree_(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {}
 
-  std::string name() const override { return "nanoflann"; }
-  double pressing(const Reamer& reamer) override {
+  double pressing(const Reamer& reamer) {
     const float centre[]{
         static_cast<float>(reamer.centre.x),
         static_cast<float>(reamer.centre.y),
@@ -88,14 +88,15 @@ class Nanoflann final : public SpherePeer {
 
 }  // namespace
 
-std::vector<std::unique_ptr<SpherePeer>> spherePeers(
+std::function<double(const Reamer&)> nanoflannPressing(
     [[maybe_unused]] const Packing& packing,
     [[maybe_unused]] const std::vector<double>& densities) {
-  std::vector<std::unique_ptr<SpherePeer>> peers;
 #ifdef PALPATE_HAS_NANOFLANN
-  peers.push_back(std::make_unique<Nanoflann>(packing, densities));
+  const auto tree = std::make_shared<Nanoflann>(packing, densities);
+  return [tree](const Reamer& reamer) { return tree->pressing(reamer); };
+#else
+  return {};
 #endif
-  return peers;
 }
 
 }  // namespace haptics::bench::peers
