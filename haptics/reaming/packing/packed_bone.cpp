@@ -7,6 +7,7 @@
 
 #include "haptics/reaming/bone/bone.h"
 #include "haptics/reaming/bone/sphere_field.h"
+#include "haptics/timing/stopwatch.h"
 
 namespace haptics::reaming {
 
@@ -164,8 +165,7 @@ BoneFitReport fitBoneToMaterial(
     addTorqueErrors(report, experiment, torque, *bone.friction);
   }
   report.friction = bone.friction;
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-  report.seconds = passed.count();
+  report.seconds = timing::secondsSince(begin);
   return report;
 }
 

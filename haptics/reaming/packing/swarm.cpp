@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "haptics/reaming/packing/density_fit.h"
+#include "haptics/timing/stopwatch.h"
 
 namespace haptics::reaming {
 namespace {
@@ -83,8 +84,7 @@ DensityFit fitSwarm(
   auto lead = bestParticle();
   DensityFit fit{.densities = {}, .gap = std::numeric_limits<double>::quiet_NaN()};
   for (; fit.iterations < options.iterations; ++fit.iterations) {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-    if (options.seconds > 0.0 && passed.count() >= options.seconds) break;
+    if (options.seconds > 0.0 && timing::secondsSince(begin) >= options.seconds) break;
     forEach(particles, options.threads, [&](Particle& particle) {
       move(particle, lead.first, most);
       judge(particle);

@@ -12,6 +12,7 @@
 #include "haptics/reaming/packing/packed_bone.h"
 #include "haptics/reaming/packing/packing_builder.h"
 #include "haptics/reaming/packing/solids.h"
+#include "haptics/timing/stopwatch.h"
 #include "protocols/reading/packing_file.h"
 #include "questionnaires/json/document.h"
 #include "study/app/command_options.h"
@@ -97,7 +98,7 @@ int buildPacking(BuildArguments& command) {
   } catch (const std::invalid_argument& wrong) {
     throw UserError(std::string("The spheres cannot be placed: ") + wrong.what() + ".");
   }
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  const double seconds = haptics::timing::secondsSince(begin);
   protocols::PackingOrigin origin{.mesh = "parametric acetabulum", .seed = options.seed};
   if (!command.mesh.empty()) {
     origin.mesh = fs::path(command.mesh).filename().string();
@@ -120,7 +121,7 @@ int buildPacking(BuildArguments& command) {
       spheres.front().radius / kMillimetre,
       100.0 * bone.packing.coverage(),
       1e6 * bone.packing.volume,
-      passed.count(),
+      seconds,
       std::max(flaws.overlap, 0.0),
       std::max(flaws.protrusion, 0.0),
       command.out);
