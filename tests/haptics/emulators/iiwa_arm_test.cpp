@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/haptics/emulators/arm_steps.h"
 #include "tests/support/long_form.h"
 
 namespace haptics::emulators {
@@ -16,22 +17,9 @@ namespace iiwa_arm_test {
 using devices::JointVector;
 using devices::Wrench;
 
-constexpr double kDt = 0.001;
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
-/// The tool straight down, and a reamer of 0.2 m on the flange.
-JointVector overTheTable() {
-  return kDegree * JointVector{0.0, 30.0, 0.0, -90.0, 0.0, 60.0, 0.0};
-}
-
-IiwaArm anArm(const IiwaMechanics& mechanics = {}) {
-  const devices::Pose reamer{.position = {0.0, 0.0, 0.2}};
-  return {devices::IiwaKinematics(devices::IiwaModel::Iiwa14, reamer), overTheTable(), mechanics};
-}
-
 /// Joints without damping of their own, so that what damps is the law.
 IiwaArm anUndampedArm() {
-  return anArm({.damping = JointVector::Zero()});
+  return armOverTheTable({.damping = JointVector::Zero()});
 }
 
 CartesianImpedance firmAcross() {
@@ -40,19 +28,8 @@ CartesianImpedance firmAcross() {
   return law;
 }
 
-Wrench force(const Eigen::Vector3d& newtons) {
-  Wrench wrench = Wrench::Zero();
-  wrench.head<3>() = newtons;
-  return wrench;
-}
-
-void run(IiwaArm& arm, double seconds, double dt = kDt) {
-  const auto steps = std::lround(seconds / dt);
-  for (long i = 0; i < steps; ++i) ASSERT_TRUE(arm.step(dt));
-}
-
 TEST(IiwaArm, StaysAtRestWithoutAPush) {
-  IiwaArm arm = anArm();
+  IiwaArm arm = armOverTheTable();
   run(arm, 1.0);
   EXPECT_EQ(arm.position(), overTheTable());
   arm.setControl(CartesianImpedance{});
@@ -96,7 +73,7 @@ TEST(IiwaArm, BeginsWithTheInertiaOfItsJoints) {
 }
 
 TEST(IiwaArm, GivesWayByForceOverStiffness) {
-  IiwaArm arm = anArm({.damping = JointVector::Constant(5.0)});
+  IiwaArm arm = armOverTheTable({.damping = JointVector::Constant(5.0)});
   CartesianImpedance law;
   law.stiffness << 1000.0, 2000.0, 4000.0, 100.0, 200.0, 300.0;
   arm.setControl(law);
@@ -110,7 +87,7 @@ TEST(IiwaArm, GivesWayByForceOverStiffness) {
 }
 
 TEST(IiwaArm, TurnsByMomentOverStiffness) {
-  IiwaArm arm = anArm({.damping = JointVector::Constant(5.0)});
+  IiwaArm arm = armOverTheTable({.damping = JointVector::Constant(5.0)});
   CartesianImpedance law;
   law.stiffness << 2000.0, 2000.0, 2000.0, 50.0, 100.0, 200.0;
   arm.setControl(law);
@@ -131,7 +108,7 @@ TEST(IiwaArm, PullsDownTheSlopeOfItsEnergy) {
   JointVector elsewhere = overTheTable();
   elsewhere += kDegree * JointVector{20.0, -10.0, 20.0, 10.0, -50.0, 40.0, 90.0};
   const auto armAt = [&](const JointVector& q) {
-    IiwaArm arm(anArm().kinematics(), q);
+    IiwaArm arm(armOverTheTable().kinematics(), q);
     arm.setControl(law);
     arm.commandPosition(elsewhere);
     return arm;
@@ -154,7 +131,7 @@ TEST(IiwaArm, PullsDownTheSlopeOfItsEnergy) {
 
 TEST(IiwaArm, PutsItsSpringsOnTheAxesOfTheTask) {
   // The task's z is the tool's x, which is then the one that is free.
-  IiwaArm arm = anArm();
+  IiwaArm arm = armOverTheTable();
   CartesianImpedance law;
   law.frame << 0.0, 0.0, 1.0,  //
       0.0, 1.0, 0.0,           //
@@ -169,7 +146,7 @@ TEST(IiwaArm, PutsItsSpringsOnTheAxesOfTheTask) {
 }
 
 TEST(IiwaArm, GivesWayInItsJointsByTorqueOverStiffness) {
-  IiwaArm arm = anArm();
+  IiwaArm arm = armOverTheTable();
   arm.setControl(JointImpedance{
       .stiffness = JointVector::Constant(500.0), .damping = JointVector::Constant(20.0)});
   const JointVector torque{5.0, -4.0, 3.0, 2.0, -1.0, 0.5, 0.25};
@@ -198,11 +175,11 @@ TEST(IiwaArm, LosesEnergyWhenLeftAlone) {
   std::vector steps{0.001, 0.005};
   if (tests::isLong()) steps.push_back(0.0001);
   for (const double dt : steps) {
-    IiwaArm springs = anArm();
+    IiwaArm springs = armOverTheTable();
     springs.setControl(firmAcross());
     EXPECT_LE(mostEnergy(springs, dt), 1.0);
     EXPECT_LT(springs.toolTwist().norm(), 1e-2);
-    IiwaArm joints = anArm();
+    IiwaArm joints = armOverTheTable();
     EXPECT_LE(mostEnergy(joints, dt), 1.0);
     EXPECT_LT(joints.energy(), 1e-6);
   }
@@ -227,7 +204,7 @@ TEST(IiwaArm, GainsNoEnergyEvenWithoutAnyDamping) {
 }
 
 TEST(IiwaArm, StaysInItsLimitsWithAnyPush) {
-  IiwaArm arm = anArm();
+  IiwaArm arm = armOverTheTable();
   arm.setControl(JointImpedance{.stiffness = JointVector::Zero(), .damping = JointVector::Zero()});
   const auto& limits = arm.kinematics().properties().maxPosition;
   arm.setOverlayTorque(JointVector::Constant(30.0));
@@ -245,7 +222,7 @@ TEST(IiwaArm, StaysInItsLimitsWithAnyPush) {
 }
 
 TEST(IiwaArm, GivesNoMoreTorqueThanItHas) {
-  IiwaArm arm = anArm();
+  IiwaArm arm = armOverTheTable();
   arm.setOverlayTorque(JointVector::Constant(-1000.0));
   arm.step(kDt);
   EXPECT_TRUE(arm.isSaturated());
@@ -254,14 +231,14 @@ TEST(IiwaArm, GivesNoMoreTorqueThanItHas) {
 }
 
 TEST(IiwaArm, IsStableAtTheCoarsestStepAndTheStiffestSettings) {
-  IiwaArm arm = anArm();
+  IiwaArm arm = armOverTheTable();
   CartesianImpedance law = firmAcross();
   law.stiffness[2] = 5000.0;
   law.dampingRatio.setOnes();
   law.damping << 1000.0, 1000.0, 1000.0, 50.0, 50.0, 50.0;
   arm.setControl(law);
   EXPECT_LE(mostEnergy(arm, 0.005), 1.0);
-  IiwaArm joints = anArm();
+  IiwaArm joints = armOverTheTable();
   joints.setControl(JointImpedance{
       .stiffness = JointVector::Constant(5000.0), .damping = JointVector::Constant(400.0)});
   EXPECT_LE(mostEnergy(joints, 0.005), 1.0);
@@ -276,7 +253,7 @@ TEST(IiwaArm, IsStableInASingularPose) {
 }
 
 TEST(IiwaArm, IgnoresNaN) {
-  IiwaArm arm = anArm();
+  IiwaArm arm = armOverTheTable();
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(arm.setOverlayWrench(Wrench::Constant(none)));
   EXPECT_FALSE(arm.setOverlayTorque(JointVector::Constant(INFINITY)));
@@ -290,9 +267,9 @@ TEST(IiwaArm, IgnoresNaN) {
 TEST(IiwaArm, RefusesInvalidOptions) {
   const devices::IiwaKinematics kinematics(devices::IiwaModel::Iiwa7);
   EXPECT_THROW(IiwaArm(kinematics, JointVector::Constant(3.0)), std::invalid_argument);
-  EXPECT_THROW(anArm({.inertia = JointVector::Zero()}), std::invalid_argument);
-  EXPECT_THROW(anArm({.damping = JointVector::Constant(-1.0)}), std::invalid_argument);
-  IiwaArm arm = anArm();
+  EXPECT_THROW(armOverTheTable({.inertia = JointVector::Zero()}), std::invalid_argument);
+  EXPECT_THROW(armOverTheTable({.damping = JointVector::Constant(-1.0)}), std::invalid_argument);
+  IiwaArm arm = armOverTheTable();
   CartesianImpedance law;
   law.stiffness[2] = -1.0;
   EXPECT_THROW(arm.setControl(law), std::invalid_argument);

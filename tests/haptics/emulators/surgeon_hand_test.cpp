@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/devices/hand.h"
-#include "haptics/emulators/iiwa_arm.h"
+#include "tests/haptics/emulators/arm_steps.h"
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::emulators {
@@ -16,27 +16,11 @@ namespace surgeon_hand_test {
 using devices::JointVector;
 using devices::Wrench;
 
-constexpr double kDt = 0.001;
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
 /// An arm that is free along its tool's z, with the tool straight down.
 IiwaArm aFreeArm() {
-  const devices::Pose reamer{.position = {0.0, 0.0, 0.2}};
-  const JointVector start = kDegree * JointVector{0.0, 30.0, 0.0, -90.0, 0.0, 60.0, 0.0};
-  IiwaArm arm(devices::IiwaKinematics(devices::IiwaModel::Iiwa14, reamer), start);
+  IiwaArm arm = armOverTheTable();
   arm.setControl(CartesianImpedance{});
   return arm;
-}
-
-Wrench force(const Eigen::Vector3d& newtons) {
-  Wrench wrench = Wrench::Zero();
-  wrench.head<3>() = newtons;
-  return wrench;
-}
-
-void run(IiwaArm& arm, double seconds, double dt = kDt) {
-  const auto steps = std::lround(seconds / dt);
-  for (long i = 0; i < steps; ++i) ASSERT_TRUE(arm.step(dt));
 }
 
 /// Pushes with the same force, wherever the tool is.
