@@ -38,14 +38,19 @@ void expectSame(const PooledEstimate& pooled, const json& truth, const std::stri
   expectSame(100.0 * pooled.iSquared, truth["i2"], what + " i2");
 }
 
+std::vector<EstimateWithError> sitesOf(const json& set) {
+  std::vector<EstimateWithError> sites;
+  for (std::size_t i = 0; i < set["y"].size(); ++i) {
+    sites.push_back({set["y"][i].get<double>(), set["se"][i].get<double>()});
+  }
+  return sites;
+}
+
 TEST(MetaAnalysis, AgreesWithMetafor) {
   const auto golden = tests::statsJson("sites/golden.json");
   ASSERT_EQ(golden.size(), 7U);
   for (const auto& [name, set] : golden.items()) {
-    std::vector<EstimateWithError> sites;
-    for (std::size_t i = 0; i < set["y"].size(); ++i) {
-      sites.push_back({set["y"][i].get<double>(), set["se"][i].get<double>()});
-    }
+    const auto sites = sitesOf(set);
     const auto all = analysis::pooled(sites, 0.95);
     EXPECT_EQ(all.sites, sites.size());
     expectSame(all.q, set["q"], name + " Q");
@@ -65,10 +70,7 @@ TEST(MetaAnalysis, AgreesWithMetafor) {
 TEST(MetaAnalysis, IsTheSameToFourDigitsIfQuick) {
   const auto golden = tests::statsJson("sites/golden.json");
   for (const auto& [name, set] : golden.items()) {
-    std::vector<EstimateWithError> sites;
-    for (std::size_t i = 0; i < set["y"].size(); ++i) {
-      sites.push_back({set["y"][i].get<double>(), set["se"][i].get<double>()});
-    }
+    const auto sites = sitesOf(set);
     const auto exact = analysis::pooled(sites, 0.95).knappHartung;
     const auto quick = analysis::pooledToFourDigits(sites, 0.95);
     EXPECT_NEAR(quick.estimate, exact.estimate, 1e-4 * exact.standardError) << name;
