@@ -57,6 +57,28 @@ std::string withBenchmark(const std::string& text) {
   return with(text, consent, consent + benchmark);
 }
 
+std::string reamingProtocol(
+    const std::string& model, const std::string& parametersOfA, const std::string& parametersOfB) {
+  const auto scene = [&](const std::string& parameters) {
+    return R"({"device": "arm", "model": ")" + model + R"(", "parameters": )" + parameters + "}";
+  };
+  return R"({
+    "$schema": "protocol-1.schema.json",
+    "study": {"id": "bone", "title": "Bone", "version": "1"},
+    "languages": ["en"], "cohorts": [{"id": "all", "title": "All"}],
+    "devices": [{"id": "arm", "kind": "reamer", "max_force_n": 100,
+                 "max_force_rate_n_per_s": 5000}],
+    "conditions": [
+      {"id": "a", "title": "A", "scene": )" +
+         scene(parametersOfA) + R"(},
+      {"id": "b", "title": "B", "scene": )" +
+         scene(parametersOfB) + R"(}],
+    "labels": {"policy": "random"},
+    "phases": [{"id": "consent", "type": "consent", "instrument": "consent-punch"},
+               {"id": "felt", "type": "block", "conditions": ["a", "b"],
+                "order": {"type": "balancedLatinSquare"}, "minimum_cuts": 1}]})";
+}
+
 Loading load(std::string_view json, const protocols::FileFinder& find) {
   const protocols::FileFinder nothing = [](const std::string&) { return std::nullopt; };
   questionnaires::Problems problems;

@@ -29,6 +29,11 @@ std::string withPhases(const std::vector<std::string>& phases);
 /// phase 2.
 std::string withBenchmark(const std::string& text);
 
+/// A protocol of two conditions of @p model on a reamer, one block; the parameters of both are JSON
+/// objects.
+std::string reamingProtocol(
+    const std::string& model, const std::string& parametersOfA, const std::string& parametersOfB);
+
 /// A protocol as loaded, or not, and all that was said.
 struct Loading {
   std::optional<protocols::LoadedProtocol> loaded;

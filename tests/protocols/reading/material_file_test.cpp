@@ -141,22 +141,7 @@ TEST(MaterialFile, IsFeltAtItsHardness) {
 }
 
 std::string withMaterial(const std::string& parameters) {
-  return R"({
-    "$schema": "protocol-1.schema.json",
-    "study": {"id": "bone", "title": "Bone", "version": "1"},
-    "languages": ["en"], "cohorts": [{"id": "all", "title": "All"}],
-    "devices": [{"id": "arm", "kind": "reamer", "max_force_n": 100,
-                 "max_force_rate_n_per_s": 5000}],
-    "conditions": [
-      {"id": "a", "title": "A", "scene": {"device": "arm", "model": "material",
-       "parameters": )" +
-         parameters + R"(}},
-      {"id": "b", "title": "B", "scene": {"device": "arm", "model": "material",
-       "parameters": {"hardness": 1}}}],
-    "labels": {"policy": "random"},
-    "phases": [{"id": "consent", "type": "consent", "instrument": "consent-punch"},
-               {"id": "felt", "type": "block", "conditions": ["a", "b"],
-                "order": {"type": "balancedLatinSquare"}, "minimum_cuts": 1}]})";
+  return tests::reamingProtocol("material", parameters, R"({"hardness": 1})");
 }
 
 TEST(MaterialFile, IsTakenFromBesideAProtocol) {

@@ -70,23 +70,9 @@ TEST(PackingFile, SaysWhatIsWrong) {
   has(complaintAbout(spoilt), "line 2");
 }
 
-std::string protocol(const std::string& parameters) {
-  return R"({
-    "$schema": "protocol-1.schema.json",
-    "study": {"id": "bone", "title": "Bone", "version": "1"},
-    "languages": ["en"], "cohorts": [{"id": "all", "title": "All"}],
-    "devices": [{"id": "arm", "kind": "reamer", "max_force_n": 100,
-                 "max_force_rate_n_per_s": 5000}],
-    "conditions": [
-      {"id": "a", "title": "A", "scene": {"device": "arm", "model": "packing",
-       "parameters": )" +
-         parameters + R"(}},
-      {"id": "b", "title": "B", "scene": {"device": "arm", "model": "packing",
-       "parameters": {"hardness": 1, "packing": "cup.packing", "removal": false}}}],
-    "labels": {"policy": "random"},
-    "phases": [{"id": "consent", "type": "consent", "instrument": "consent-punch"},
-               {"id": "felt", "type": "block", "conditions": ["a", "b"],
-                "order": {"type": "balancedLatinSquare"}, "minimum_cuts": 1}]})";
+std::string withPacking(const std::string& parameters) {
+  return tests::reamingProtocol(
+      "packing", parameters, R"({"hardness": 1, "packing": "cup.packing", "removal": false})");
 }
 
 TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
@@ -97,7 +83,7 @@ TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
     return isThere ? std::optional(packingAsText(fitted, {.mesh = "hip.stl"})) : std::nullopt;
   };
   const auto loading = tests::load(
-      protocol(R"({"hardness": 0.5, "packing": "cup.packing", "friction": 0.3})"), find);
+      withPacking(R"({"hardness": 0.5, "packing": "cup.packing", "friction": 0.3})"), find);
   ASSERT_TRUE(loading.loaded) << loading.describe();
   const auto specOf = [&](const char* id) {
     return std::get<haptics::engine::PackingSpec>(*loading.loaded->protocol.condition(id)->model);
@@ -110,7 +96,7 @@ TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
   EXPECT_EQ(specOf("a").bone->packing.spheres.size(), 50U);
 
   const auto refusalOf = [&](const std::string& parameters) {
-    const auto refused = tests::load(protocol(parameters), find);
+    const auto refused = tests::load(withPacking(parameters), find);
     EXPECT_FALSE(refused.loaded);
     return refused.describe();
   };
