@@ -22,6 +22,9 @@ StringReference::StringReference(const std::vector<double>& k, double toolPositi
     const HundredDigits distance = abs(HundredDigits(toolPosition) - (HundredDigits(i) + 0.5));
     if (distance < 1) tool[i] = 1 - distance;
   }
+  const HundredDigits right = n - HundredDigits(toolPosition);
+  if (toolPosition < 0.5) tool.front() = 2 * HundredDigits(toolPosition);
+  if (right < 0.5) tool.back() = 2 * right;
   shape = tool;
   for (std::size_t i = 1; i < n; ++i) {
     const HundredDigits factor = beside[i - 1] / diagonal[i - 1];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -178,6 +179,39 @@ TEST(FiniteElements, DissipateTheEnergyOfACutWithReturnMap) {
   const double stiffness = Elements({}).stiffness();
   EXPECT_NEAR(energyOf(YieldLaw::Clip), 0.0, 0.01);
   EXPECT_NEAR(energyOf(YieldLaw::ReturnMap), 7.0 * (6.0 - 7.0 / stiffness), 0.02);
+}
+
+double stiffnessOf(const std::vector<double>& stiffnesses, double tool, ToolInterpolation weights) {
+  const int count = static_cast<int>(stiffnesses.size());
+  return Elements({.start = 0,
+                   .end = static_cast<double>(count),
+                   .elements = count,
+                   .toolPosition = tool,
+                   .weights = weights,
+                   .elementStiffnesses = stiffnesses.data()})
+      .stiffness();
+}
+
+TEST(FiniteElements, AllowZeroAndInfiniteStiffness) {
+  const double endless = std::numeric_limits<double>::infinity();
+  for (const auto weights : {ToolInterpolation::Paper, ToolInterpolation::ExactKink}) {
+    // Three elements, the tool at the middle of the second one: 1.5 of flexibility on each side.
+    EXPECT_DOUBLE_EQ(stiffnessOf({1, 1, 1}, 1.5, weights), 2.0 / 1.5 / 2.0 * 1.0);
+    // Torn on the left, it hangs on the right side alone; torn on both, on nothing.
+    EXPECT_DOUBLE_EQ(stiffnessOf({0, 1, 1}, 1.5, weights), 1.0 / 3.0);
+    EXPECT_EQ(stiffnessOf({0, 1, 0}, 1.5, weights), 0.0);
+    // A rigid left side is a wall at the tool's own element.
+    EXPECT_DOUBLE_EQ(stiffnessOf({endless, 1, 1}, 1.5, weights), 1.0 + 1.0 / 3.0);
+    EXPECT_EQ(stiffnessOf({endless, endless, endless}, 1.5, weights), endless);
+  }
+}
+
+TEST(FiniteElements, YieldAtOnceIfTheTissueIsRigid) {
+  const double endless = std::numeric_limits<double>::infinity();
+  const Elements rigid({.elementStiffness = endless});
+  Elements::State state;
+  EXPECT_EQ(rigid.at(4.0, state).force, 0.0);
+  EXPECT_EQ(rigid.at(4.0 + 1e-12, state).force, 7.0);
 }
 
 TEST(FiniteElements, HaveNoForceForNaN) {
