@@ -5,6 +5,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "base/joined.h"
+
 namespace base {
 namespace {
 
@@ -107,9 +109,7 @@ ColumnHeading columnHeadingOf(std::string_view cell) {
 }
 
 std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + ("'" + word + "'");
-  return text;
+  return joined(words, ", ", [](const auto& word) { return "'" + word + "'"; });
 }
 
 }  // namespace base

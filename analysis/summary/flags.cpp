@@ -9,6 +9,7 @@
 #include "analysis/data/likert_counts.h"
 #include "analysis/hypothesis_tests/attainable_p.h"
 #include "analysis/summary/answer_checks.h"
+#include "base/joined.h"
 
 namespace analysis {
 namespace {
@@ -25,12 +26,6 @@ Message text(base::CheckedKey<kFlagMessages, sizeof...(Arguments)> key, Argument
 Message partOf(std::string_view id, std::string_view part) {
   const auto key = std::string(id).append(".").append(part);
   return {*std::ranges::find(kFlagMessages, key, &base::MessageKind::key), {}};
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 /// Finds the flags of one cohort's answers; one function per kind of flag.
@@ -136,7 +131,7 @@ class FlagFinder {
     }
     if (!relative.empty()) {
       add("relative_item_without_referent",
-          {text("relative_item_without_referent", listed(relative))},
+          {text("relative_item_without_referent", base::joined(relative, ", "))},
           {text("source.published_analysis", 4)});
     }
   }
@@ -195,7 +190,7 @@ class FlagFinder {
     }
     if (!constant.empty()) {
       add("constant_group",
-          {text("constant_group", listed(constant))},
+          {text("constant_group", base::joined(constant, ", "))},
           {text("source.not_defined")});
     }
   }

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/joined.h"
 #include "base/search.h"
 #include "protocols/model/messages.h"
 #include "protocols/model/protocol.h"
@@ -12,11 +13,7 @@
 namespace protocols {
 
 std::string describeOrigin(const SceneDataSource& source) {
-  std::string words;
-  for (const auto& part : source.origin) {
-    words += (words.empty() ? "" : ", ") + base::describe(part);
-  }
-  return words;
+  return base::joined(source.origin, ", ", [](const auto& part) { return base::describe(part); });
 }
 
 std::string describe(const SceneDataSource& source) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/joined.h"
 #include "haptics/engine/built_in_models.h"
 #include "protocols/model/messages.h"
 #include "protocols/reading/cut_file.h"
@@ -213,8 +214,7 @@ std::vector<Message> originOf(const haptics::recordings::Provenance& provenance)
   if (!provenance.sourceFile.empty()) {
     origin.push_back(message("source.recorded_in", provenance.sourceFile));
   }
-  std::string changes;
-  for (const auto& change : provenance.changes) changes += (changes.empty() ? "" : "; ") + change;
+  const auto changes = base::joined(provenance.changes, "; ");
   if (!changes.empty()) origin.push_back(message("source.changed", changes));
   return origin;
 }

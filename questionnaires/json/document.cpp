@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/joined.h"
 #include "base/search.h"
 
 namespace questionnaires {
-namespace {
-
-std::string listed(std::span<const std::string_view> names) {
-  std::string result;
-  for (const auto name : names) result += (result.empty() ? "" : ", ") + std::string(name);
-  return result;
-}
-
-}  // namespace
 
 std::string Node::pathOf(std::string_view key) const {
   return key.empty() ? path_ : path_ + "." + shown(key);
@@ -42,7 +34,8 @@ bool Node::isObjectWithOnlyKeys(std::span<const std::string_view> names) const {
     problem(
         member.key,
         "unknown key '" + shown(member.key) + "'",
-        meant ? "did you mean '" + std::string(*meant) + "'?" : "known here: " + listed(names));
+        meant ? "did you mean '" + std::string(*meant) + "'?"
+              : "known here: " + base::joined(names, ", "));
   }
   return true;
 }
@@ -185,7 +178,10 @@ bool Node::flag(std::string_view key, bool fallback) const {
 std::optional<std::size_t> Node::indexIn(const std::vector<std::string_view>& names) const {
   const auto* text = std::get_if<std::string>(&value_->data);
   if (text == nullptr) {
-    problem("", "a text is expected here, not " + typeName(*value_), "one of: " + listed(names));
+    problem(
+        "",
+        "a text is expected here, not " + typeName(*value_),
+        "one of: " + base::joined(names, ", "));
     return std::nullopt;
   }
   const auto found = std::find(names.begin(), names.end(), *text);
@@ -194,7 +190,8 @@ std::optional<std::size_t> Node::indexIn(const std::vector<std::string_view>& na
   problem(
       "",
       "unknown word '" + shown(*text) + "'",
-      (meant ? "did you mean '" + std::string(*meant) + "'? " : "") + "one of: " + listed(names));
+      (meant ? "did you mean '" + std::string(*meant) + "'? " : "") +
+          "one of: " + base::joined(names, ", "));
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/joined.h"
 #include "base/search.h"
 #include "questionnaires/model/instrument.h"
 
@@ -57,11 +58,7 @@ std::string numberLabel(const Item& item, double number, std::string_view langua
 
 std::string optionLabels(
     const Item& item, const std::vector<std::string>& ids, std::string_view language) {
-  std::string result;
-  for (const auto& id : ids) {
-    result += (result.empty() ? "" : "; ") + optionLabel(item, id, language);
-  }
-  return result;
+  return base::joined(ids, "; ", [&](const auto& id) { return optionLabel(item, id, language); });
 }
 
 }  // namespace

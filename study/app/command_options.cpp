@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "base/joined.h"
 #include "protocols/load_protocol.h"
 #include "study/model/user_error.h"
 #include "study/words/counted.h"
@@ -109,9 +110,7 @@ CLI::Validator fileEndingIn(const std::vector<std::string>& endings) {
       [endings](const std::string& path) -> std::string {
         const auto ending = std::filesystem::path(path).extension().string();
         if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return "";
-        std::string known;
-        for (const auto& one : endings) known += (known.empty() ? "" : " or ") + one;
-        return "'" + path + "' does not end in " + known;
+        return "'" + path + "' does not end in " + base::joined(endings, " or ");
       },
       "FILE");
 }

@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/joined.h"
+
 namespace study::app {
 namespace {
 
@@ -19,12 +21,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
     }
   }
   return parts;
-}
-
-std::string join(const std::vector<std::string>& parts, const std::string& separator) {
-  std::string text;
-  for (const auto& part : parts) text += (text.empty() ? "" : separator) + part;
-  return text;
 }
 
 /// A range of CLI11 in words: "1 to 100" for "INT in [1 - 100]"; other validators as they are.
@@ -133,17 +129,17 @@ std::string heading(const OptionDescription& option) {
   if (option.isPositional) return italic(option.names.front());
   std::vector<std::string> names;
   for (const auto& name : option.names) names.push_back(bold(name));
-  return join(names, ", ") + (option.value.empty() ? "" : " " + italic(option.value));
+  return base::joined(names, ", ") + (option.value.empty() ? "" : " " + italic(option.value));
 }
 
 /// The remarks after an option's description: accepted values, default, and whether it is required.
 std::string remarks(const OptionDescription& option) {
   std::vector<std::string> parts;
   if (option.isRequired) parts.emplace_back("required");
-  if (!option.choices.empty()) parts.push_back("one of: " + join(option.choices, ", "));
+  if (!option.choices.empty()) parts.push_back("one of: " + base::joined(option.choices, ", "));
   if (!option.range.empty()) parts.push_back(option.range);
   if (!option.defaultValue.empty()) parts.push_back("default: " + option.defaultValue);
-  return parts.empty() ? "" : " (" + join(parts, "; ") + ")";
+  return parts.empty() ? "" : " (" + base::joined(parts, "; ") + ")";
 }
 
 std::string sectionOfOptions(const CommandDescription& command) {
@@ -214,11 +210,11 @@ void addCompletions(const CommandDescription& command, CompletionCases& cases) {
     if (option.value.empty()) continue;
     std::vector<std::string> labels;
     for (const auto& name : option.names) labels.push_back(quoted(command.name + " " + name));
-    cases.values +=
-        "    " + join(labels, " | ") + ") words=" + quoted(join(option.choices, " ")) + " ;;\n";
+    cases.values += "    " + base::joined(labels, " | ") +
+                    ") words=" + quoted(base::joined(option.choices, " ")) + " ;;\n";
   }
-  cases.words += "    " + quoted(command.name) + ") words=" + quoted(join(verbs, " ")) +
-                 " options=" + quoted(join(options, " ")) + " ;;\n";
+  cases.words += "    " + quoted(command.name) + ") words=" + quoted(base::joined(verbs, " ")) +
+                 " options=" + quoted(base::joined(options, " ")) + " ;;\n";
   for (const auto& below : command.commands) addCompletions(below, cases);
 }
 
@@ -229,7 +225,7 @@ class HelpFormatter final : public CLI::Formatter {
     const auto described = describe(*option);
     std::string text;
     if (!described.choices.empty()) {
-      text += " {" + join(described.choices, ",") + "}";
+      text += " {" + base::joined(described.choices, ",") + "}";
     } else if (!described.value.empty() && !described.isPositional) {
       text += " " + described.value;
     }
@@ -237,7 +233,7 @@ class HelpFormatter final : public CLI::Formatter {
     if (!described.range.empty()) remarks.push_back(described.range);
     if (!described.defaultValue.empty()) remarks.push_back("default: " + described.defaultValue);
     if (!option->get_envname().empty()) remarks.push_back("or $" + option->get_envname());
-    if (!remarks.empty()) text += " (" + join(remarks, "; ") + ")";
+    if (!remarks.empty()) text += " (" + base::joined(remarks, "; ") + ")";
     if (option->get_expected_max() == CLI::detail::expected_max_vector_size) text += " ...";
     if (described.isRequired) text += " REQUIRED";
     text += namesOf("Needs", option->get_needs());
@@ -268,7 +264,7 @@ class HelpFormatter final : public CLI::Formatter {
     std::vector<std::string> names;
     for (const auto* option : options) names.push_back(option->get_name());
     std::sort(names.begin(), names.end());
-    return std::string(" ") + label + ": " + join(names, " ");
+    return std::string(" ") + label + ": " + base::joined(names, " ");
   }
 };
 
@@ -301,7 +297,7 @@ std::string manPage(const CommandDescription& program, const ManPageSections& se
   };
   add("EXIT STATUS", sections.exitStatus);
   add("FILES", sections.files);
-  add("SEE ALSO", join(sections.seeAlso, ", "));
+  add("SEE ALSO", base::joined(sections.seeAlso, ", "));
   return page;
 }
 
@@ -323,7 +319,7 @@ std::string bashCompletion(const CommandDescription& program) {
         "  for ((i = 1; i < COMP_CWORD; i++)); do\n"
         "    case \"$command ${COMP_WORDS[i]}\" in\n"
         "      " +
-        join(cases.commands, " | \\\n      ") +
+        base::joined(cases.commands, " | \\\n      ") +
         ")\n"
         "        command+=\" ${COMP_WORDS[i]}\" ;;\n"
         "    esac\n"

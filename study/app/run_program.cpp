@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/joined.h"
 #include "study/app/printing/visible_output.h"
 #include "study/model/new_file.h"
 
@@ -32,10 +33,7 @@ std::string describeMistake(const CLI::App& program, const CLI::ParseError& erro
   std::string name;
   const auto& command = commandCalled(program, name);
   const std::string explains = "'" + name + " --help' explains it.\n";
-  std::string known;
-  for (const auto* verb : command.get_subcommands({})) {
-    known += (known.empty() ? "" : ", ") + verb->get_name();
-  }
+  auto known = base::joined(command.get_subcommands({}), ", ", &CLI::App::get_name);
   if (!known.empty()) known = "There are: " + known + ". ";
   const auto unknown = program.remaining(true);
   if (unknown.empty()) {

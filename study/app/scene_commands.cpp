@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "base/joined.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/model_names.h"
@@ -189,8 +190,7 @@ void print(
 const protocols::Condition& conditionOf(
     const protocols::Protocol& protocol, const std::string& id) {
   if (const auto* condition = protocol.condition(id)) return *condition;
-  std::string known;
-  for (const auto& c : protocol.conditions) known += (known.empty() ? "" : ", ") + c.id;
+  const auto known = base::joined(protocol.conditions, ", ", &protocols::Condition::id);
   throw UserError("There is no condition '" + id + "'. There are: " + known + ".");
 }
 

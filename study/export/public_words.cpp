@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "base/joined.h"
 #include "study/export/export_parts.h"
 #include "study/export/public_people.h"
 #include "study/export/public_tables.h"
@@ -15,9 +16,7 @@ std::string peopleInWords(std::size_t count) {
 /// The first member of each pair, joined by commas: "cohort, background_role".
 template <typename Pairs>
 std::string namesOf(const Pairs& pairs) {
-  std::string names;
-  for (const auto& [name, what] : pairs) names += (names.empty() ? "" : ", ") + name;
-  return names;
+  return base::joined(pairs, ", ", [](const auto& pair) { return pair.first; });
 }
 
 /// A sentence on the classes before generalisation and suppression.
@@ -44,10 +43,8 @@ std::string beforeInWords(const Release& release) {
 
 std::string afterInWords(const Release& release) {
   const auto& after = release.after;
-  std::string said;
-  for (const auto& [name, value] : after.smallestClass) {
-    said += (said.empty() ? "" : ", ") + name + " = " + value;
-  }
+  const auto said = base::joined(
+      after.smallestClass, ", ", [](const auto& pair) { return pair.first + " = " + pair.second; });
   return fmt::format(
       "As told: {}, the smallest of {}: {}.\n",
       words::counted(after.classes, "class", "classes"),

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "analysis/registry/test_rows.h"
+#include "base/joined.h"
 
 namespace study {
 namespace {
@@ -26,11 +27,8 @@ std::string blocksOf(const protocols::Family& family, const protocols::Protocol&
 }
 
 std::string allCodes(const CohortResult& cohort, const std::map<std::string, std::string>& codes) {
-  std::string text;
-  for (const auto& method : cohort.table.methods) {
-    text += (text.empty() ? "" : " ") + codes.at(method);
-  }
-  return text;
+  return base::joined(
+      cohort.table.methods, " ", [&](const auto& method) { return codes.at(method); });
 }
 
 analysis::TestRow named(std::string_view id, analysis::TestRow test) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/joined.h"
 #include "study/export/condition_codes.h"
 #include "study/export/export_parts.h"
 #include "study/export/statistics_row.h"
@@ -49,9 +50,7 @@ class FamilyRows {
   }
 
   static std::string flagsOf(const CohortResult& cohort) {
-    std::string text;
-    for (const auto& flag : cohort.flags) text += (text.empty() ? "" : " ") + std::string(flag.id);
-    return text;
+    return base::joined(cohort.flags, " ", &analysis::Flag::id);
   }
 
   std::string_view declaredCorrection() const {

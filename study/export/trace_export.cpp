@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/joined.h"
 #include "study/export/export_parts.h"
 #include "study/export/study_tables.h"
 #include "study/model/new_file.h"
@@ -45,8 +46,7 @@ std::string traceAsCsv(
     const Table<ExportedTick>& table,
     const std::vector<storage::TraceSample>& samples,
     double rate) {
-  std::string csv;
-  for (const auto& column : table.columns) csv += (csv.empty() ? "" : ",") + column.name();
+  auto csv = base::joined(table.columns, ",", [](const auto& column) { return column.name(); });
   csv += '\n';
   for (const auto& sample : samples) {
     const ExportedTick tick{.sample = sample, .time = sample.tick / rate};

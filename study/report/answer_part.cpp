@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/joined.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/answer_tables.h"
@@ -84,10 +85,9 @@ class AnswerWriter : HtmlWriter {
       if (const auto mean = meanOf(family, part, id, methods)) all.emplace_back(-*mean, id);
     }
     std::ranges::stable_sort(all, {}, [](const auto& one) { return one.first; });
-    std::string text;
-    for (const auto& [mean, id] : all) {
-      text += (text.empty() ? "" : ", ") + condition(id) + " " + rounded(-mean, 2);
-    }
+    const auto text = base::joined(all, ", ", [&](const auto& one) {
+      return condition(one.second) + " " + rounded(-one.first, 2);
+    });
     return text.empty() ? text : text + " " + say("on average") + "; ";
   }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/joined.h"
 #include "study/report/html_text.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
@@ -117,7 +118,7 @@ class VerdictWriter {
     if (sentences.empty()) return conclusion;
     conclusion.finding = withCurlyQuotes(sentences.front());
     sentences.erase(sentences.begin());
-    conclusion.more = withCurlyQuotes(fmt::format("{}", fmt::join(sentences, " ")));
+    conclusion.more = withCurlyQuotes(base::joined(sentences, " "));
     return conclusion;
   }
 

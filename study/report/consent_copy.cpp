@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/joined.h"
 #include "study/model/user_error.h"
 #include "study/report/html_text.h"
 #include "study/storage/evidence/signed_head.h"
@@ -25,11 +26,8 @@ std::string chosenText(
     return option == item.options.end() ? id : option->text.in(language);
   };
   if (const auto* id = std::get_if<std::string>(&response)) return textOf(*id);
-  std::string all;
-  if (const auto* ids = std::get_if<std::vector<std::string>>(&response)) {
-    for (const auto& id : *ids) all += (all.empty() ? "" : ", ") + textOf(id);
-  }
-  return all;
+  const auto* ids = std::get_if<std::vector<std::string>>(&response);
+  return ids == nullptr ? "" : base::joined(*ids, ", ", textOf);
 }
 
 /// The answers to a participant's consent form in one session.

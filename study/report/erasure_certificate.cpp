@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/joined.h"
 #include "study/report/html_text.h"
 
 namespace study::report {
@@ -30,12 +31,6 @@ std::string_view inWords(storage::ErasureLevel level) {
   }
   return "all: names, signatures, answers, votes, texts, traces, and what the audit trail said of "
          "them";
-}
-
-std::string listed(const std::vector<std::string>& files) {
-  std::string all;
-  for (const auto& file : files) all += (all.empty() ? "" : ", ") + file;
-  return all;
 }
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
@@ -88,7 +83,7 @@ class CertificateRows {
                                                    "{} texts are too short to be searched for");
     if (texts == 0) return words_("nothing was written that could be searched for") + ofShort;
     const auto found =
-        files.empty() ? words_("not found") : words_.say("FOUND in {}", listed(files));
+        files.empty() ? words_("not found") : words_.say("FOUND in {}", base::joined(files, ", "));
     return words_.count(
                texts,
                "{} text was searched for in every byte",

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "base/joined.h"
 #include "study/report/html_writer.h"
 #include "study/report/references.h"
 #include "study/report/study_parts.h"
@@ -169,13 +170,10 @@ class LimitationsWriter : HtmlWriter {
 
   /// "Hurlbert, 1984; Palpate’s manual, Statistics: planning": works as in the list of references.
   std::string sourcesOf(const analysis::Flag& flag) const {
-    std::string all;
-    for (const auto& source : flag.source) {
-      const auto text =
-          source.key().empty() ? authorsAndYear(base::describe(source)) : section_.words(source);
-      all += (all.empty() ? "" : "; ") + escaped(text);
-    }
-    return all;
+    return base::joined(flag.source, "; ", [&](const auto& source) {
+      return escaped(
+          source.key().empty() ? authorsAndYear(base::describe(source)) : section_.words(source));
+    });
   }
 
   /// The titles of all weaknesses, the heaviest first.

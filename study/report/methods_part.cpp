@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/joined.h"
 #include "protocols/validation/validation.h"
 #include "study/model/data_table.h"
 #include "study/report/html_writer.h"
@@ -224,10 +225,8 @@ class MethodsWriter : HtmlWriter {
     }
     if (counts.empty()) return {};
     const auto isSame = [&](const auto& one) { return one.second == counts.front().second; };
-    std::string listed;
-    for (const auto& [condition, what] : counts) {
-      listed += (listed.empty() ? "" : "; ") + condition + ": " + what;
-    }
+    const auto listed =
+        base::joined(counts, "; ", [](const auto& one) { return one.first + ": " + one.second; });
     const auto each = say("Counted for each alternative: {}.", counts.front().second);
     const auto all = say("Counted: {}.", listed);
     return std::ranges::all_of(counts, isSame) ? each : all;
@@ -313,14 +312,11 @@ class MethodsWriter : HtmlWriter {
         "in the orders of a Latin square",
         "in the orders of a balanced Latin square",
         "in all orders equally often"};
-    std::string conditions;
-    for (const auto& id : phase.trials.conditions) {
-      conditions += (conditions.empty() ? "" : ", ") + section_.conditionTitle(id);
-    }
+    const auto titleOf = [&](const auto& id) { return section_.conditionTitle(id); };
     std::string text = section_.words.say(
         "every participant felt {} ({}) {}, under labels, with {} each.",
         section_.words.count(phase.trials.conditions.size(), "{} alternative", "{} alternatives"),
-        conditions,
+        base::joined(phase.trials.conditions, ", ", titleOf),
         section_.words.say(
             kOrders[static_cast<std::size_t>(phase.trials.order.type)],
             section_.blockTitle(phase.trials.order.of)),
@@ -356,10 +352,8 @@ class MethodsWriter : HtmlWriter {
     std::string lines;
     for (const auto& source : section_.sources) {
       if ((source.kind == kShownSourceKind) != isShownOnScreen) continue;
-      std::string conditions;
-      for (const auto& id : source.conditions) {
-        conditions += (conditions.empty() ? "" : ", ") + section_.conditionTitle(id);
-      }
+      const auto titleOf = [&](const auto& id) { return section_.conditionTitle(id); };
+      const auto conditions = base::joined(source.conditions, ", ", titleOf);
       lines += fmt::format("<li>{}: {}</li>", describe(source), escaped(conditions));
     }
     const auto computed = say("parameters of the protocol; nothing was recorded or measured");
@@ -377,10 +371,7 @@ class MethodsWriter : HtmlWriter {
     std::string text = source.isSynthetic ? say("SYNTHETIC") + ": " : "";
     text += source.file.empty() ? say("{} ({}, built into the program)", title, kind)
                                 : say("{} ({} '{}')", title, kind, source.file);
-    std::string origin;
-    for (const auto& part : source.origin) {
-      origin += (origin.empty() ? "" : ", ") + section_.words(part);
-    }
+    const auto origin = base::joined(source.origin, ", ", section_.words);
     return origin.empty() ? text : text + ", " + escaped(origin);
   }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/joined.h"
 #include "study/report/html_text.h"
 
 namespace study::report {
@@ -103,11 +104,7 @@ std::string authorsAsApa(const Publication& work) {
 
 /// "Mann HB, Whitney DR"
 std::string authorsAsVancouver(const Publication& work) {
-  std::string text;
-  for (const auto& author : partsOf(work.authors, "; ")) {
-    text += (text.empty() ? "" : ", ") + std::string(author);
-  }
-  return text;
+  return base::joined(partsOf(work.authors, "; "), ", ");
 }
 
 std::string withFullStop(std::string text) {

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "analysis/registry/registry.h"
+#include "base/joined.h"
 #include "study/model/data_table.h"
 #include "study/report/html_writer.h"
 #include "study/report/references.h"
@@ -154,8 +155,7 @@ class StatisticsWriter : HtmlWriter {
       case FamilyChange::Kind::Changed:
         break;
     }
-    std::string keys;
-    for (const auto& key : change.keys) keys += (keys.empty() ? "" : ", ") + section_.words(key);
+    const auto keys = base::joined(change.keys, ", ", section_.words);
     return say(
         "Version {} ({}) changed “{}” after the first participant had begun ({}){}",
         change.version,

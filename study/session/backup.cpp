@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/joined.h"
 #include "study/model/new_file.h"
 #include "study/model/study_files.h"
 #include "study/session/unblinding.h"
@@ -244,8 +245,7 @@ std::size_t recordRestoredCopy(Study& study, const std::string& reason) {
   const auto listed = readRecordedHeads(*station, study.uuid());
   const auto missing = missingHeads(storage::TrailHeads(study.database()), listed);
   if (missing.empty()) return 0;
-  std::string names;
-  for (const auto& head : missing) names += (names.empty() ? "" : " ") + nameOf(head);
+  const auto names = base::joined(missing, " ", [](const auto& head) { return nameOf(head); });
   study.note(
       {.actor = storage::Actor::Operator,
        .kind = EventKind::RestoredCopy,

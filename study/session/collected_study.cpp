@@ -5,6 +5,9 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/joined.h"
 #include "base/random.h"
 #include "study/model/new_file.h"
 #include "study/model/study_files.h"
@@ -158,11 +161,9 @@ void CollectedStudy::add(const Trail& trail, std::vector<storage::StoredEvent> e
 }
 
 void CollectedStudy::appendTrail(const std::string& reason) {
-  std::string trails;
-  for (const auto& trail : trails_) {
-    trails += (trails.empty() ? "" : ", ") + trail.station.label + ": " +
-              std::to_string(trail.events) + " events, " + trail.head;
-  }
+  const auto inWords = [](const Trail& trail) {
+    return fmt::format("{}: {} events, {}", trail.station.label, trail.events, trail.head);
+  };
   storage::EventLog log(files_->study, &files_->identities);
   const Moment now = clock_.now();
   log.append(
@@ -173,7 +174,7 @@ void CollectedStudy::appendTrail(const std::string& reason) {
            {"sessions", static_cast<std::int64_t>(sessionCount_)},
            {"stations", static_cast<std::int64_t>(trails_.size())},
            {"events", static_cast<std::int64_t>(events_->count()) + 1},
-           {"trails", trails},
+           {"trails", base::joined(trails_, ", ", inWords)},
            {"reason", reason}}});
   log.append(
       {.when = now,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/joined.h"
 #include "questionnaires/json/document.h"
 #include "study/session/drawn_plan.h"
 #include "study/session/identity_evidence.h"
@@ -46,10 +47,9 @@ void requirePossibleEnrolment(const protocols::Protocol& protocol, const Enrolme
     throw UserError("The protocol has no cohort '" + enrolment.cohort + "'.");
   }
   if (std::find(languages.begin(), languages.end(), enrolment.language) == languages.end()) {
-    std::string known;
-    for (const auto& language : languages) known += (known.empty() ? "" : ", ") + language;
     throw UserError(
-        "The protocol has no texts in '" + enrolment.language + "'. It has: " + known + ".");
+        "The protocol has no texts in '" + enrolment.language +
+        "'. It has: " + base::joined(languages, ", ") + ".");
   }
   if (!enrolment.code.empty() && !questionnaires::isValidId(enrolment.code)) {
     throw UserError(

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "base/joined.h"
 #include "study/storage/protocol_repository.h"
 #include "study/storage/statement.h"
 
@@ -37,11 +38,8 @@ ResponseColumns stored(const questionnaires::Response& response) {
   }
   if (const auto* text = std::get_if<std::string>(&response))
     return {.kind = "text", .text = *text};
-  std::string joined;
-  for (const auto& id : std::get<std::vector<std::string>>(response)) {
-    joined += (joined.empty() ? "" : " ") + id;
-  }
-  return {.kind = "choices", .text = joined};
+  const auto& ids = std::get<std::vector<std::string>>(response);
+  return {.kind = "choices", .text = base::joined(ids, " ")};
 }
 
 questionnaires::Response restored(const ResponseColumns& response) {

@@ -1,5 +1,7 @@
 #include "study/words/words.h"
 
+#include "base/joined.h"
+
 namespace study::words {
 
 std::string_view Words::patternOf(
@@ -21,9 +23,7 @@ std::string Words::operator()(const base::Message& message) const {
 }
 
 std::string Words::operator()(const std::vector<base::Message>& messages) const {
-  std::string text;
-  for (const auto& message : messages) text += (text.empty() ? "" : "; ") + (*this)(message);
-  return text;
+  return base::joined(messages, "; ", *this);
 }
 
 }  // namespace study::words

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/joined.h"
 #include "study/words/words.h"
 
 namespace study::words {
@@ -31,11 +32,9 @@ Words wordsIn(std::string_view language) {
     json.at("desk").get_to(catalogue.desk);
     return {std::string(language), std::move(catalogue)};
   }
-  std::string known;
-  for (const auto& one : languages()) known += (known.empty() ? "" : ", ") + one;
   throw std::invalid_argument(
-      "There is no report in the language '" + std::string(language) + "'. There are: " + known +
-      ".");
+      "There is no report in the language '" + std::string(language) +
+      "'. There are: " + base::joined(languages(), ", ") + ".");
 }
 
 }  // namespace study::words

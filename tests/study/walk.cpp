@@ -1,5 +1,7 @@
 #include "tests/study/walk.h"
 
+#include "base/joined.h"
+
 namespace tests {
 namespace {
 
@@ -86,11 +88,8 @@ study::Session consenting(study::Study& study, const study::Enrolment& enrolment
 }
 
 std::string eventsOf(study::Study& study, study::SessionId session) {
-  std::string kinds;
-  for (const auto& event : study.events().read(session)) {
-    kinds += (kinds.empty() ? "" : " ") + std::string(event.name());
-  }
-  return kinds;
+  return base::joined(
+      study.events().read(session), " ", [](const auto& event) { return event.name(); });
 }
 
 }  // namespace tests

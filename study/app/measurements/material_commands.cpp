@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "base/joined.h"
 #include "haptics/reaming/material/series.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "protocols/reading/material_file.h"
@@ -176,13 +177,6 @@ struct CompareArguments {
   std::string report;
 };
 
-/// The names of all curves, as --curve accepts them.
-std::string namesOf(const std::vector<NamedCurve>& curves) {
-  std::string names;
-  for (const auto& curve : curves) names += (names.empty() ? "" : ", ") + pathOf(curve);
-  return names;
-}
-
 int compare(CompareArguments& command) {
   const auto options = command.inputs.fitOptions();
   auto figure = optionsForFigure7(options);
@@ -208,7 +202,8 @@ int compare(CompareArguments& command) {
   }
   if (document.parts.empty()) {
     throw UserError(
-        "There is no curve '" + command.curve + "'. There are " + namesOf(curves) + ", and all.");
+        "There is no curve '" + command.curve + "'. There are " +
+        base::joined(curves, ", ", pathOf) + ", and all.");
   }
   if (!command.report.empty()) {
     if (read.isSynthetic) document.lead.emplace_back("SYNTHETIC: these series were not measured.");

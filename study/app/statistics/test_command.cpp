@@ -8,6 +8,7 @@
 #include "analysis/data/csv_table.h"
 #include "analysis/data/moments.h"
 #include "analysis/registry/registry.h"
+#include "base/joined.h"
 #include "questionnaires/json/document.h"
 #include "study/app/command_options.h"
 #include "study/app/json_file.h"
@@ -38,11 +39,10 @@ std::string withSpaces(std::string_view name) {
 
 /// The options that name the columns of a test: "--group and --value"; optional ones in brackets.
 std::string columnsOf(const analysis::StatisticalTest& test) {
-  std::string text;
-  for (const auto& column : analysis::columnsOf(test.shape)) {
+  auto text = base::joined(analysis::columnsOf(test.shape), " ", [](const auto& column) {
     const auto option = "--" + std::string(column.role);
-    text += (text.empty() ? "" : " ") + (column.isRequired ? option : "[" + option + "]");
-  }
+    return column.isRequired ? option : "[" + option + "]";
+  });
   if (test.form == analysis::StatisticalTest::Form::NeedsBound) text += " --bound";
   if (test.form == analysis::StatisticalTest::Form::RowOfEachGroup) text += " --from";
   return text;

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <fmt/ranges.h>
-
+#include "base/joined.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/authoring/checked_protocol.h"
 #include "study/gui/session/station_push.h"
@@ -78,10 +77,6 @@ std::string modeInWords(const StudySummary& summary, RunMode mode) {
       countIn(summary.sessions, mode));
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  return fmt::format("{}", fmt::join(parts, "; "));
-}
-
 }  // namespace
 
 int countIn(const std::map<RunMode, int>& counts, RunMode mode) {
@@ -133,7 +128,7 @@ std::string sessionsInWords(const StudySummary& summary) {
   if (!summary.unfinished.empty()) {
     parts.push_back(translated("{} unfinished", summary.unfinished.size()));
   }
-  return joined(parts);
+  return base::joined(parts, "; ");
 }
 
 std::string otherSessionsInWords(const StudySummary& summary) {
@@ -141,7 +136,7 @@ std::string otherSessionsInWords(const StudySummary& summary) {
   for (const auto mode : {RunMode::Pilot, RunMode::Simulated}) {
     if (countIn(summary.sessions, mode) > 0) parts.push_back(modeInWords(summary, mode));
   }
-  return joined(parts);
+  return base::joined(parts, "; ");
 }
 
 std::string arrivalsInWords(const StudySummary& summary) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/data/csv_table.h"
+#include "base/joined.h"
 #include "tests/support/complaint.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
@@ -15,11 +16,7 @@ using analysis::StatisticalTest;
 
 /// The columns of a test as docs/statistics.md has them: "group, value, count".
 std::string columnsOf(const StatisticalTest& test) {
-  std::string text;
-  for (const auto& column : analysis::columnsOf(test.shape)) {
-    text += (text.empty() ? "" : ", ") + std::string(column.role);
-  }
-  return text;
+  return base::joined(analysis::columnsOf(test.shape), ", ", &analysis::DataColumn::role);
 }
 
 TEST(StatisticalTests, AreListedInTheManual) {
