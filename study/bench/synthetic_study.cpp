@@ -74,34 +74,32 @@ class Writer {
   }
 
   void addPerson(std::int64_t session, const Cohort& cohort) {
-    participant_.bind(1, session).bind(2, fmt::format("SIM-{:07d}", session)).bind(3, cohort.id);
+    participant_.bindAll(session, fmt::format("SIM-{:07d}", session), cohort.id);
     participant_.run();
-    session_.bind(1, session).bind(2, session).bind(3, cohort.id).bind(4, session);
+    session_.bindAll(session, session, cohort.id, session);
     session_.run();
   }
 
   void addStep(std::int64_t session, const Step& step, int number) {
-    step_.bind(1, session)
-        .bind(2, std::int64_t{number})
-        .bind(3, nameOf(step.kind))
-        .bind(4, step.phase)
-        .bind(5, step.instrument)
-        .bind(6, step.itemSet)
-        .bind(7, std::int64_t{step.position})
-        .bind(8, std::int64_t{step.label});
+    step_.bindAll(
+        session,
+        number,
+        nameOf(step.kind),
+        step.phase,
+        step.instrument,
+        step.itemSet,
+        step.position,
+        step.label);
     step_.run();
-    allocation_.bind(1, session).bind(2, std::int64_t{number}).bind(3, step.condition);
+    allocation_.bindAll(session, number, step.condition);
     allocation_.run();
-    visit_.bind(1, session).bind(2, std::int64_t{number});
+    visit_.bindAll(session, number);
     visit_.run();
   }
 
   void addAnswer(std::int64_t session, const AskedItem& asked) {
-    answer_.bind(1, session)
-        .bind(2, std::int64_t{asked.step})
-        .bind(3, asked.item->id)
-        .bind(4, std::int64_t{asked.order})
-        .bind(5, drawAnswer(asked.plannedStep->condition));
+    answer_.bindAll(
+        session, asked.step, asked.item->id, asked.order, drawAnswer(asked.plannedStep->condition));
     answer_.run();
   }
 

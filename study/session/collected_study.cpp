@@ -99,11 +99,12 @@ CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Origin& orig
       files_->study,
       "INSERT INTO study (id, uuid, seed, random_version, app_version, created_utc) "
       "VALUES (1, ?, ?, ?, ?, ?)");
-  insert.bind(1, origin.uuid)
-      .bind(2, std::to_string(origin.seed))
-      .bind(3, std::int64_t{base::kRandomVersion})
-      .bind(4, appVersion())
-      .bind(5, origin.createdUtc);
+  insert.bindAll(
+      origin.uuid,
+      std::to_string(origin.seed),
+      base::kRandomVersion,
+      appVersion(),
+      origin.createdUtc);
   insert.run();
 }
 

@@ -80,11 +80,7 @@ void createDatabases(
       database,
       "INSERT INTO study (id, uuid, seed, random_version, app_version, created_utc) "
       "VALUES (1, ?, ?, ?, ?, ?)");
-  insert.bind(1, uuid)
-      .bind(2, std::to_string(seed))
-      .bind(3, std::int64_t{base::kRandomVersion})
-      .bind(4, appVersion())
-      .bind(5, asUtc(now.wall));
+  insert.bindAll(uuid, std::to_string(seed), base::kRandomVersion, appVersion(), asUtc(now.wall));
   insert.run();
   base::NamedArguments made{{"study", protocol.protocol.study.id}, {"secret", secret.commitment()}};
   if (!station.isNone()) {

@@ -58,7 +58,7 @@ void sealNamesOfOlderReleases(Study& study) {
 
 bool wasEverExported(Study& study) {
   storage::Statement select(study.database(), "SELECT 1 FROM event WHERE kind = ?");
-  return select.bind(1, nameOf(EventKind::ExportedKey)).step();
+  return select.bindAll(nameOf(EventKind::ExportedKey)).step();
 }
 
 }  // namespace

@@ -65,19 +65,20 @@ void AnswerRepository::put(
           "point = excluded.point, number = excluded.number, text = excluded.text, "
           "response_s = max(excluded.response_s, first_touch_s), changes = excluded.changes, "
           "language = excluded.language, saved_utc = excluded.saved_utc");
-  put.bind(1, visit);
   const auto response = stored(answer.response);
-  put.bind(4, answer.item)
-      .bind(5, std::int64_t{answer.itemOrder})
-      .bind(6, response.kind)
-      .bind(7, response.point)
-      .bind(8, response.number)
-      .bind(9, response.text)
-      .bind(10, answer.firstTouch)
-      .bind(11, answer.responseTime)
-      .bind(12, std::int64_t{answer.changes})
-      .bind(13, answer.language)
-      .bind(14, utc);
+  put.bindAll(
+      visit,
+      answer.item,
+      answer.itemOrder,
+      response.kind,
+      response.point,
+      response.number,
+      response.text,
+      answer.firstTouch,
+      answer.responseTime,
+      answer.changes,
+      answer.language,
+      utc);
   put.run();
 }
 
@@ -85,8 +86,7 @@ void AnswerRepository::remove(const VisitKey& visit, std::string_view item) {
   Statement remove(
       database_,
       "DELETE FROM answer WHERE session_id = ? AND step = ? AND attempt = ? AND item = ?");
-  remove.bind(1, visit);
-  remove.bind(4, item);
+  remove.bindAll(visit, item);
   remove.run();
 }
 
@@ -96,8 +96,7 @@ std::optional<GivenAnswer> AnswerRepository::find(
       database_,
       "SELECT " + std::string(kAnswerColumns) +
           " FROM answer WHERE session_id = ? AND step = ? AND attempt = ? AND item = ?");
-  find.bind(1, visit);
-  find.bind(4, item);
+  find.bindAll(visit, item);
   return find.step() ? std::optional(answerIn(find)) : std::nullopt;
 }
 
@@ -107,7 +106,7 @@ std::vector<GivenAnswer> AnswerRepository::of(const VisitKey& visit) const {
       "SELECT " + std::string(kAnswerColumns) +
           " FROM answer WHERE session_id = ? AND step = ? AND attempt = ? "
           "ORDER BY item_order");
-  select.bind(1, visit);
+  select.bindAll(visit);
   std::vector<GivenAnswer> answers;
   while (select.step()) answers.push_back(answerIn(select));
   return answers;

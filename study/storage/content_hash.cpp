@@ -59,7 +59,7 @@ bool hasFormatOfSealedConditions(const Database& database) {
 
 bool hasRows(const Database& database, const char* select, SessionId session) {
   Statement rows(database, select);
-  return rows.bind(1, static_cast<std::int64_t>(session)).step();
+  return rows.bindAll(session).step();
 }
 
 /// The statements on sealed data that return rows for a session.
@@ -95,7 +95,7 @@ void addRows(
     const char* select,
     std::optional<SessionId> session = std::nullopt) {
   Statement rows(database, select);
-  if (session) rows.bind(1, static_cast<std::int64_t>(*session));
+  if (session) rows.bindAll(*session);
   while (rows.step()) {
     hasher.add("row");
     for (int column = 0; column < rows.columnCount(); ++column) {
@@ -109,7 +109,7 @@ void addStation(const Database& database, SessionId session, Hasher& hasher) {
   // A file of an older format that was opened for reading only lacks the column `station`.
   if (!database.hasColumn("session", "station")) return;
   Statement row(database, kSessionStationQuery);
-  row.bind(1, static_cast<std::int64_t>(session));
+  row.bindAll(session);
   if (!row.step()) return;
   hasher.add("station");
   hasher.add(row.exactBytes(0));

@@ -244,7 +244,7 @@ void Database::rollBackIfScheduled() {
 
 bool Database::hasTable(const std::string& name) const {
   Statement table(*this, "SELECT 1 FROM sqlite_schema WHERE type = 'table' AND name = ?");
-  return table.bind(1, std::string_view(name)).step();
+  return table.bindAll(name).step();
 }
 
 bool Database::hasColumn(const std::string& table, const std::string& column) const {

@@ -210,16 +210,17 @@ void insertEvent(Database& database, const StoredEvent& event) {
   Statement insert(
       database,
       std::string("INSERT INTO event (") + kEventColumns + ") VALUES (?,?,?,?,?,?,?,?,?,?,?,?)");
-  insert.bind(1, event.seq)
-      .bind(2, event.session)
-      .bind(3, event.step)
-      .bind(4, event.attempt)
-      .bind(5, event.utc)
-      .bind(6, event.monotonic)
-      .bind(7, event.actor)
-      .bind(8, event.kind)
-      .bind(9, event.detail)
-      .bind(10, std::span<const std::byte>(event.hash));
+  insert.bindAll(
+      event.seq,
+      event.session,
+      event.step,
+      event.attempt,
+      event.utc,
+      event.monotonic,
+      event.actor,
+      event.kind,
+      event.detail,
+      event.hash);
   if (!event.content.empty()) insert.bind(11, std::span<const std::byte>(event.content));
   if (!event.sealed.empty()) insert.bind(12, std::span<const std::byte>(event.sealed));
   insert.run();
@@ -338,7 +339,7 @@ std::vector<StoredEvent> EventLog::stored(std::int64_t after, std::int64_t most)
       database_,
       std::string("SELECT ") + columnsIn(database_) +
           " FROM event WHERE seq > ? ORDER BY seq LIMIT ?");
-  select.bind(1, after).bind(2, most);
+  select.bindAll(after, most);
   std::vector<StoredEvent> events;
   while (select.step()) events.push_back(rowIn(select));
   return events;
@@ -399,7 +400,7 @@ bool EventLog::containsNotedHead(const std::string& noted) const {
         "letters a to f. 'palpate study verify' prints it.");
   }
   Statement select(database_, "SELECT 1 FROM event WHERE substr(lower(hex(hash)), 1, ?) = ?");
-  select.bind(1, static_cast<std::int64_t>(kDigitsOfHead)).bind(2, digits);
+  select.bindAll(kDigitsOfHead, digits);
   return select.step();
 }
 
@@ -412,7 +413,7 @@ std::int64_t EventLog::last() const {
 std::optional<std::int64_t> EventLog::latestTimeOf(EventKind kind) const {
   Statement latest(
       database_, "SELECT utc, unixepoch(utc) FROM event WHERE kind = ? ORDER BY utc DESC LIMIT 1");
-  latest.bind(1, study::nameOf(kind));
+  latest.bindAll(study::nameOf(kind));
   if (!latest.step()) return std::nullopt;
   return latest.number(1) * 1000 + millisecondsIn(latest.text(0));
 }
@@ -422,7 +423,7 @@ base::NamedArguments EventLog::valuesOfMadeStudy() const {
   // ResealedTrail.
   Statement first(
       database_, "SELECT detail FROM event WHERE seq <= 2 AND kind = ? ORDER BY seq LIMIT 1");
-  first.bind(1, study::nameOf(EventKind::MadeStudy));
+  first.bindAll(study::nameOf(EventKind::MadeStudy));
   if (!first.step()) return {};
   return valuesIn(first.text(0)).value_or(base::NamedArguments());
 }
@@ -433,7 +434,7 @@ std::string EventLog::commitment() const {
 
 bool EventLog::holds(const std::vector<std::byte>& head) const {
   Statement select(database_, "SELECT 1 FROM event WHERE hash = ?");
-  select.bind(1, std::span(head));
+  select.bindAll(std::span(head));
   return select.step();
 }
 
@@ -442,7 +443,7 @@ std::optional<EventLog::Content> EventLog::lastContent(std::optional<SessionId> 
       database_,
       std::string("SELECT ") + columnsIn(database_) +
           " FROM event WHERE session_id IS ? ORDER BY seq DESC LIMIT 1");
-  select.bind(1, session ? std::optional(static_cast<std::int64_t>(*session)) : std::nullopt);
+  select.bindAll(session ? std::optional(static_cast<std::int64_t>(*session)) : std::nullopt);
   if (!select.step()) return std::nullopt;
   const Row row = rowIn(select);
   return Content{.hash = row.content, .isSealed = !row.sealed.empty()};
@@ -454,7 +455,7 @@ std::optional<SealingKey> EventLog::keyOf(SessionId session) const {
       database_,
       "SELECT p.code FROM session AS s JOIN participant AS p ON p.id = s.participant_id "
       "WHERE s.id = ?");
-  select.bind(1, static_cast<std::int64_t>(session));
+  select.bindAll(session);
   if (!select.step()) return std::nullopt;
   return identities_->key(IdentityStore::Key::Content, select.text(0));
 }
@@ -476,13 +477,13 @@ std::string EventLog::selectEvents(const char* which) const {
 
 std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
   Statement select(database_, selectEvents(session ? "WHERE session_id = ?" : ""));
-  if (session) select.bind(1, static_cast<std::int64_t>(*session));
+  if (session) select.bindAll(*session);
   return eventsIn(select);
 }
 
 std::vector<Event> EventLog::read(EventKind kind) const {
   Statement select(database_, selectEvents("WHERE kind = ?"));
-  select.bind(1, nameOf(kind));
+  select.bindAll(nameOf(kind));
   return eventsIn(select);
 }
 

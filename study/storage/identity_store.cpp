@@ -15,11 +15,7 @@ namespace {
 using Place = IdentityStore::Place;
 
 void bindPlace(Statement& statement, const Place& place, const std::string& item) {
-  statement.bind(1, place.participant)
-      .bind(2, std::int64_t{place.sessionNumber})
-      .bind(3, std::int64_t{place.step})
-      .bind(4, std::int64_t{place.attempt})
-      .bind(5, item);
+  statement.bindAll(place.participant, place.sessionNumber, place.step, place.attempt, item);
 }
 
 /// A row of identifying_answer.
@@ -66,7 +62,7 @@ std::vector<NameRow> nameRows(
       "SELECT participant, session_number, step, attempt, item, text, saved_utc, hash, " + sealed +
           " FROM identifying_answer" + (participant ? " WHERE participant = ?" : "") +
           " ORDER BY participant, session_number, step, attempt, item");
-  if (participant) select.bind(1, *participant);
+  if (participant) select.bindAll(*participant);
   std::vector<NameRow> rows;
   while (select.step()) {
     rows.push_back(
@@ -100,7 +96,7 @@ void insert(Database& database, const NameRow& row) {
 void insertSecret(Database& database, const std::string& table, const BlindingSecret& secret) {
   Transaction transaction(database);
   Statement insert(database, "INSERT INTO " + table + " (id, bytes) VALUES (1, ?)");
-  insert.bind(1, std::as_bytes(std::span(secret.bytes())));
+  insert.bindAll(std::as_bytes(std::span(secret.bytes())));
   insert.run();
   transaction.commit();
 }
@@ -145,7 +141,7 @@ std::optional<StoredKey> storedKey(const Database& database, const std::string& 
       database.hasColumn("participant_key", "sealed_identity") ? "sealed_identity" : "NULL";
   Statement select(
       database, "SELECT identity, " + sealed + " FROM participant_key WHERE participant = ?");
-  select.bind(1, participant);
+  select.bindAll(participant);
   if (!select.step()) return std::nullopt;
   return StoredKey{.open = select.blob(0), .sealed = select.blob(1)};
 }
@@ -258,7 +254,7 @@ void IdentityStore::drawMissingKey(Key kind, const std::string& participant) {
           "INSERT INTO participant_key (participant, {0}) VALUES (?, ?) "
           "ON CONFLICT (participant) DO UPDATE SET {0} = excluded.{0}",
           column));
-  insert.bind(1, participant).bind(2, std::span<const std::byte>(stored)).run();
+  insert.bindAll(participant, stored).run();
   transaction.commit();
 }
 
@@ -299,14 +295,14 @@ void IdentityStore::sealKeysWith(const SealingKey& key) {
         database_,
         "UPDATE participant_key SET identity = NULL, sealed_identity = ? WHERE participant = ?");
     const auto sealed = sealedKey(key, *identity, participant);
-    update.bind(1, std::span<const std::byte>(sealed)).bind(2, participant).run();
+    update.bindAll(sealed, participant).run();
   }
 }
 
 void IdentityStore::putContentKey(const std::string& participant, const SealingKey& key) {
   Statement insert(
       database_, "INSERT INTO participant_key (participant, identity, content) VALUES (?,NULL,?)");
-  insert.bind(1, participant).bind(2, std::as_bytes(std::span(key.bytes())));
+  insert.bindAll(participant, std::as_bytes(std::span(key.bytes())));
   insert.run();
 }
 
@@ -314,7 +310,7 @@ std::optional<SealingKey> IdentityStore::key(Key kind, const std::string& partic
   if (!database_.hasTable("participant_key")) return std::nullopt;
   if (kind == Key::Content) {
     Statement select(database_, "SELECT content FROM participant_key WHERE participant = ?");
-    select.bind(1, participant);
+    select.bindAll(participant);
     return select.step() ? keyFrom(select.blob(0)) : std::nullopt;
   }
   const auto stored = storedKey(database_, participant);
@@ -334,10 +330,10 @@ void IdentityStore::destroy(Key kind, const std::string& participant) {
       std::string("UPDATE participant_key SET ") +
           (kind == Key::Identity ? "identity = NULL, sealed_identity = NULL" : "content = NULL") +
           " WHERE participant = ?");
-  key.bind(1, participant).run();
+  key.bindAll(participant).run();
   if (kind == Key::Identity) {
     Statement names(database_, "DELETE FROM identifying_answer WHERE participant = ?");
-    names.bind(1, participant).run();
+    names.bindAll(participant).run();
   }
   transaction.commit();
 }

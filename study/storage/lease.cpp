@@ -111,7 +111,7 @@ bool isAlive(const Writer& writer) {
 /// (docs/decisions/0063).
 std::string lastStored(const Database& database, SessionId session) {
   Statement last(database, "SELECT utc FROM event WHERE session_id = ? ORDER BY seq DESC LIMIT 1");
-  last.bind(1, static_cast<std::int64_t>(session));
+  last.bindAll(session);
   return last.step() ? last.text(0) : std::string("an unknown day");
 }
 
@@ -140,18 +140,14 @@ Lease::Lease(Database& database, SessionId session, const std::string& utc, From
       database,
       "INSERT OR REPLACE INTO lease (session_id, station, pid, taken_utc, process) "
       "VALUES (?,?,?,?,?)");
-  take.bind(1, static_cast<std::int64_t>(session))
-      .bind(2, thisStation())
-      .bind(3, std::int64_t{getpid()})
-      .bind(4, utc)
-      .bind(5, token_);
+  take.bindAll(session, thisStation(), getpid(), utc, token_);
   take.run();
 }
 
 std::optional<Lease::Holder> Lease::holder(const Database& database, SessionId session) {
   Statement held(
       database, "SELECT station, pid, taken_utc, process FROM lease WHERE session_id = ?");
-  held.bind(1, static_cast<std::int64_t>(session));
+  held.bindAll(session);
   if (!held.step()) return std::nullopt;
   const Writer writer{.station = held.text(0), .pid = held.number(1), .token = held.text(3)};
   return Holder{
@@ -169,7 +165,7 @@ void Lease::clear(Database& database) {
 
 void Lease::requireHeld() const {
   Statement held(*database_, "SELECT 1 FROM lease WHERE session_id = ? AND process = ?");
-  held.bind(1, static_cast<std::int64_t>(session_)).bind(2, token_);
+  held.bindAll(session_, token_);
   if (held.step()) return;
   throw StorageError(
       "This session was taken over by another program. Go on there; nothing more is stored here.");
@@ -186,7 +182,7 @@ Lease::~Lease() {
                                  // cannot be removed
   try {
     Statement give(*database_, "DELETE FROM lease WHERE session_id = ? AND process = ?");
-    give.bind(1, static_cast<std::int64_t>(session_)).bind(2, token_);
+    give.bindAll(session_, token_);
     give.run();
   } catch (const StorageError&) {
     // The row stays in the table; the next program that resumes the session replaces it.

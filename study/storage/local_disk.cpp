@@ -123,7 +123,7 @@ CommitTimes measureCommits(const std::filesystem::path& folder, int commits) {
     const auto begin = Clock::now();
     Transaction transaction(database);
     Statement insert(database, "INSERT INTO row (words) VALUES (?)");
-    insert.bind(1, std::string_view("an answer of ordinary length, with its audit line beside it"));
+    insert.bindAll("an answer of ordinary length, with its audit line beside it");
     insert.run();
     transaction.commit();
     times.push_back(std::chrono::duration<double>(Clock::now() - begin).count());

@@ -57,7 +57,7 @@ base::NamedArguments presentValues(const NamedRow& row, const std::vector<std::s
 std::vector<NamedRow> rowsOf(
     const Database& database, const std::string& sql, std::string_view columns, SessionId session) {
   Statement select(database, sql);
-  select.bind(1, static_cast<std::int64_t>(session));
+  select.bindAll(session);
   const auto names = namesIn(columns);
   std::vector<NamedRow> rows;
   while (select.step()) rows.push_back(rowIn(select, names, 0));

@@ -42,11 +42,7 @@ ProtocolId ProtocolRepository::add(
       database_,
       "INSERT INTO protocol (sha256, text, reason, added_utc, forms) "
       "VALUES (?, ?, ?, ?, iif(?, 'hashed', NULL))");
-  insert.bind(1, sha256(protocol.text, protocol.files))
-      .bind(2, protocol.text)
-      .bind(3, reason)
-      .bind(4, utc)
-      .bind(5, std::int64_t{hasForms});
+  insert.bindAll(sha256(protocol.text, protocol.files), protocol.text, reason, utc, hasForms);
   insert.run();
   const ProtocolId id{database_.lastInsertedId()};
   for (const auto& file : protocol.files) addFile(id, file);
@@ -56,10 +52,7 @@ ProtocolId ProtocolRepository::add(
 void ProtocolRepository::addFile(ProtocolId id, const protocols::SourceFile& file) {
   Statement insert(
       database_, "INSERT INTO protocol_file (protocol_id, name, sha256, text) VALUES (?, ?, ?, ?)");
-  insert.bind(1, static_cast<std::int64_t>(id))
-      .bind(2, file.name)
-      .bind(3, sha256(file.text))
-      .bind(4, file.text);
+  insert.bindAll(id, file.name, sha256(file.text), file.text);
   insert.run();
 }
 
@@ -83,7 +76,7 @@ int ProtocolRepository::addForms(ProtocolId id, const std::vector<protocols::Sou
     ++added;
   }
   Statement update(database_, "UPDATE protocol SET forms = 'added' WHERE id = ?");
-  update.bind(1, static_cast<std::int64_t>(id)).run();
+  update.bindAll(id).run();
   return added;
 }
 
@@ -93,7 +86,7 @@ std::vector<std::string> ProtocolRepository::changes(ProtocolId id) const {
   std::vector<std::string> changes;
   Statement hashes(
       database_, "SELECT name, sha256 FROM protocol_file WHERE protocol_id = ? ORDER BY name");
-  hashes.bind(1, static_cast<std::int64_t>(id));
+  hashes.bindAll(id);
   for (const auto& file : stored.files) {
     if (hashes.step() && hashes.text(1) == sha256(file.text)) continue;
     changes.push_back(
@@ -109,7 +102,7 @@ std::vector<std::string> ProtocolRepository::changes(ProtocolId id) const {
 void ProtocolRepository::freeze(ProtocolId id, const std::string& utc) {
   Statement update(
       database_, "UPDATE protocol SET frozen_utc = ? WHERE id = ? AND frozen_utc IS NULL");
-  update.bind(1, utc).bind(2, static_cast<std::int64_t>(id));
+  update.bindAll(utc, id);
   update.run();
 }
 
@@ -120,7 +113,7 @@ StoredProtocol ProtocolRepository::load(ProtocolId id) const {
       database_,
       std::string("SELECT sha256, text, reason, added_utc, frozen_utc, ") +
           (isOld ? "NULL" : "forms") + " FROM protocol WHERE id = ?");
-  select.bind(1, static_cast<std::int64_t>(id));
+  select.bindAll(id);
   if (!select.step()) {
     throw StorageError(
         database_.path() + " has lost its protocol. Restore it from a copy.",
@@ -137,7 +130,7 @@ StoredProtocol ProtocolRepository::load(ProtocolId id) const {
       .defaults = defaultsOf(id)};
   Statement files(
       database_, "SELECT name, text FROM protocol_file WHERE protocol_id = ? ORDER BY name");
-  files.bind(1, static_cast<std::int64_t>(id));
+  files.bindAll(id);
   while (files.step()) protocol.files.push_back({files.text(0), files.text(1)});
   return protocol;
 }
@@ -151,7 +144,7 @@ protocols::Defaults ProtocolRepository::defaultsOf(ProtocolId id) const {
       "THEN (SELECT app_version NOT LIKE '0.1.%' FROM study) "
       "ELSE (SELECT detail LIKE '{%' FROM event WHERE kind = ?2 "
       "ORDER BY seq LIMIT 1 OFFSET (SELECT count(*) - 1 FROM protocol WHERE id < ?1)) END");
-  select.bind(1, static_cast<std::int64_t>(id)).bind(2, nameOf(EventKind::AmendedProtocol));
+  select.bindAll(id, nameOf(EventKind::AmendedProtocol));
   const bool isCurrent = select.step() && select.number(0) != 0;
   return isCurrent ? protocols::Defaults::Current : protocols::Defaults::Release01;
 }

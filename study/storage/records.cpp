@@ -177,7 +177,7 @@ std::vector<AnswerRecord> Records::answers(std::optional<SessionId> session) con
           "x.response_s, x.changes, x.language, x.saved_utc FROM answer AS x" +
           kStepJoins + (session ? "WHERE x.session_id = ? " : "") +
           "ORDER BY x.session_id, x.step, x.attempt, x.item_order, x.item");
-  if (session) select.bind(1, static_cast<std::int64_t>(*session));
+  if (session) select.bindAll(*session);
   const ConditionCell condition{database_, conditions_};
   std::vector<AnswerRecord> answers;
   while (select.step()) {
@@ -216,12 +216,12 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
   OrderedRows sessions(
       database_,
       "SELECT id, 0, 0, cohort FROM session WHERE run_mode = ? AND state = ? ORDER BY id");
-  sessions.row.bind(1, nameOf(mode)).bind(2, nameOf(SessionState::Completed));
+  sessions.row.bindAll(nameOf(mode), nameOf(SessionState::Completed));
   OrderedRows steps(
       database_,
       "SELECT session_id, step, 0, phase, instrument FROM step WHERE kind = ? "
       "ORDER BY session_id, step");
-  steps.row.bind(1, nameOf(StepKind::Questionnaire));
+  steps.row.bindAll(nameOf(StepKind::Questionnaire));
   OrderedRows allocations(
       database_,
       std::string("SELECT session_id, step, 0, condition, ") + sealedColumn(database_) +

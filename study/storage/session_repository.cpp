@@ -84,10 +84,7 @@ std::int64_t SessionRepository::freeSlot(
       database_,
       "SELECT slot FROM session WHERE protocol_id = ? AND run_mode = ? AND cohort = ? "
       "AND station = ? AND slot_state <> 'released' ORDER BY slot");
-  held.bind(1, static_cast<std::int64_t>(protocol))
-      .bind(2, nameOf(mode))
-      .bind(3, cohort)
-      .bind(4, station);
+  held.bindAll(protocol, nameOf(mode), cohort, station);
   std::int64_t free = 0;
   while (held.step() && held.number(0) == free) ++free;
   return free;
@@ -99,7 +96,7 @@ std::string SessionRepository::freeCode(RunMode mode, const std::string& station
                                                 : mode == RunMode::Pilot ? "PILOT-"
                                                                          : "SIM-");
   Statement count(database_, "SELECT count(*) FROM participant WHERE run_mode = ?");
-  count.bind(1, nameOf(mode));
+  count.bindAll(nameOf(mode));
   count.step();
   for (auto number = count.number(0) + 1;; ++number) {
     std::string code = fmt::format("{}{:03d}", prefix, number);
@@ -109,19 +106,19 @@ std::string SessionRepository::freeCode(RunMode mode, const std::string& station
 
 bool SessionRepository::hasParticipant(const std::string& code) const {
   Statement select(database_, "SELECT 1 FROM participant WHERE code = ?");
-  select.bind(1, code);
+  select.bindAll(code);
   return select.step();
 }
 
 std::string SessionRepository::enrolledUtc(const std::string& code) const {
   Statement select(database_, "SELECT created_utc FROM participant WHERE code = ?");
-  select.bind(1, code);
+  select.bindAll(code);
   return select.step() ? select.text(0) : std::string();
 }
 
 std::int64_t SessionRepository::participantId(const SessionRow& session) {
   Statement select(database_, "SELECT id, cohort, run_mode FROM participant WHERE code = ?");
-  select.bind(1, session.participant);
+  select.bindAll(session.participant);
   if (select.step()) {
     if (select.text(1) != session.cohort || select.text(2) != nameOf(session.runMode)) {
       throw StorageError(
@@ -132,10 +129,7 @@ std::int64_t SessionRepository::participantId(const SessionRow& session) {
   }
   Statement insert(
       database_, "INSERT INTO participant (code, cohort, run_mode, created_utc) VALUES (?,?,?,?)");
-  insert.bind(1, session.participant)
-      .bind(2, session.cohort)
-      .bind(3, nameOf(session.runMode))
-      .bind(4, session.startedUtc);
+  insert.bindAll(session.participant, session.cohort, nameOf(session.runMode), session.startedUtc);
   insert.run();
   return database_.lastInsertedId();
 }
@@ -145,7 +139,7 @@ void SessionRepository::add(
   const auto participant = participantId(session);
   Statement last(
       database_, "SELECT coalesce(max(number), 0) FROM session WHERE participant_id = ?");
-  last.bind(1, participant);
+  last.bindAll(participant);
   last.step();
   session.number = static_cast<int>(last.number(0)) + 1;
 
@@ -154,21 +148,22 @@ void SessionRepository::add(
       "INSERT INTO session (participant_id, number, protocol_id, run_mode, cohort, language, slot, "
       "slot_state, state, step, attempt, app_version, started_utc, site, station) VALUES "
       "(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
-  insert.bind(1, participant)
-      .bind(2, std::int64_t{session.number})
-      .bind(3, static_cast<std::int64_t>(session.protocol))
-      .bind(4, nameOf(session.runMode))
-      .bind(5, session.cohort)
-      .bind(6, session.language)
-      .bind(7, session.slot)
-      .bind(8, nameOf(session.slotState))
-      .bind(9, study::nameOf(session.state))
-      .bind(10, std::int64_t{session.step})
-      .bind(11, std::int64_t{session.attempt})
-      .bind(12, appVersion)
-      .bind(13, session.startedUtc)
-      .bind(14, session.site)
-      .bind(15, session.station);
+  insert.bindAll(
+      participant,
+      session.number,
+      session.protocol,
+      nameOf(session.runMode),
+      session.cohort,
+      session.language,
+      session.slot,
+      nameOf(session.slotState),
+      study::nameOf(session.state),
+      session.step,
+      session.attempt,
+      appVersion,
+      session.startedUtc,
+      session.site,
+      session.station);
   insert.run();
   session.id = SessionId{database_.lastInsertedId()};
   addSteps(session, steps);
@@ -185,14 +180,15 @@ void SessionRepository::addSteps(const SessionRow& session, const std::vector<St
       "VALUES (?,?,?,?,?,?,?,?)");
   std::int64_t number = 0;
   for (const auto& step : steps) {
-    insert.bind(1, id)
-        .bind(2, number)
-        .bind(3, study::nameOf(step.kind))
-        .bind(4, step.phase)
-        .bind(5, step.instrument)
-        .bind(6, step.itemSet)
-        .bind(7, std::int64_t{step.position})
-        .bind(8, std::int64_t{step.label});
+    insert.bindAll(
+        id,
+        number,
+        study::nameOf(step.kind),
+        step.phase,
+        step.instrument,
+        step.itemSet,
+        step.position,
+        step.label);
     insert.run();
     if (!step.condition.empty()) addCondition(database_, session.id, number, step.condition, key);
     ++number;
@@ -204,20 +200,21 @@ void SessionRepository::update(const SessionRow& session) {
       database_,
       "UPDATE session SET language = ?, slot_state = ?, state = ?, step = ?, attempt = ?, "
       "ended_utc = ?, end_reason = ? WHERE id = ?");
-  update.bind(1, session.language)
-      .bind(2, nameOf(session.slotState))
-      .bind(3, study::nameOf(session.state))
-      .bind(4, std::int64_t{session.step})
-      .bind(5, std::int64_t{session.attempt})
-      .bind(6, session.endedUtc)
-      .bind(7, session.endReason)
-      .bind(8, static_cast<std::int64_t>(session.id));
+  update.bindAll(
+      session.language,
+      nameOf(session.slotState),
+      study::nameOf(session.state),
+      session.step,
+      session.attempt,
+      session.endedUtc,
+      session.endReason,
+      session.id);
   update.run();
 }
 
 SessionRow SessionRepository::load(SessionId id) const {
   Statement select(database_, selectSessions(database_) + "WHERE s.id = ?");
-  select.bind(1, static_cast<std::int64_t>(id));
+  select.bindAll(id);
   if (!select.step()) {
     throw StorageError(
         "There is no session " + std::to_string(static_cast<std::int64_t>(id)) + ".");
@@ -237,7 +234,7 @@ void SessionRepository::openVisit(const VisitKey& visit, const std::string& utc)
       database_,
       "INSERT INTO visit (session_id, step, attempt, status, began_utc) VALUES (?, ?, ?, 'open', "
       "?)");
-  insert.bind(1, visit).bind(4, utc);
+  insert.bindAll(visit, utc);
   insert.run();
 }
 
@@ -247,15 +244,14 @@ void SessionRepository::closeVisit(
       database_,
       "UPDATE visit SET status = ?, ended_utc = ?, reason = ? "
       "WHERE session_id = ? AND step = ? AND attempt = ? AND status = 'open'");
-  update.bind(1, nameOf(status)).bind(2, utc).bind(3, reason);
-  update.bind(4, visit);
+  update.bindAll(nameOf(status), utc, reason, visit);
   update.run();
 }
 
 int SessionRepository::attempts(SessionId session, int step) const {
   Statement select(
       database_, "SELECT coalesce(max(attempt), 0) FROM visit WHERE session_id = ? AND step = ?");
-  select.bind(1, static_cast<std::int64_t>(session)).bind(2, std::int64_t{step});
+  select.bindAll(session, step);
   select.step();
   return static_cast<int>(select.number(0));
 }
@@ -263,7 +259,7 @@ int SessionRepository::attempts(SessionId session, int step) const {
 VisitStatus SessionRepository::statusOf(const VisitKey& visit) const {
   Statement select(
       database_, "SELECT status FROM visit WHERE session_id = ? AND step = ? AND attempt = ?");
-  select.bind(1, visit);
+  select.bindAll(visit);
   return select.step() ? requireKnown(visitStatusNamed(select.text(0)), select.text(0))
                        : VisitStatus::Open;
 }
@@ -274,10 +270,7 @@ void SessionRepository::markRepeated(
       database_,
       "UPDATE visit SET status = 'repeated', ended_utc = coalesce(ended_utc, ?), reason = ? "
       "WHERE session_id = ? AND step >= ? AND status IN ('open', 'finished', 'skipped')");
-  update.bind(1, utc)
-      .bind(2, reason)
-      .bind(3, static_cast<std::int64_t>(session))
-      .bind(4, std::int64_t{step});
+  update.bindAll(utc, reason, session, step);
   update.run();
 }
 
@@ -286,7 +279,7 @@ bool SessionRepository::isSealed(SessionId session) const {
       database_,
       std::string("SELECT 1 FROM allocation AS a WHERE session_id = ? AND ") +
           sealedColumn(database_) + " IS NULL");
-  return !open.bind(1, static_cast<std::int64_t>(session)).step();
+  return !open.bindAll(session).step();
 }
 
 void addCondition(
@@ -297,12 +290,11 @@ void addCondition(
     const SealingKey* key) {
   Statement insert(
       study, "INSERT INTO allocation (session_id, step, condition, sealed) VALUES (?,?,?,?)");
-  insert.bind(1, static_cast<std::int64_t>(session)).bind(2, step);
   if (key == nullptr) {
-    insert.bind(3, condition).run();
+    insert.bindAll(session, step, condition).run();
   } else {
     const auto sealed = sealCondition(*key, session, static_cast<int>(step), condition);
-    insert.bind(3, std::string_view("")).bind(4, std::span(sealed)).run();
+    insert.bindAll(session, step, "", sealed).run();
   }
 }
 
@@ -311,7 +303,7 @@ std::vector<std::pair<int, std::string>> allocationOf(const Database& study, Ses
       study,
       std::string("SELECT step, condition, ") + sealedColumn(study) +
           " FROM allocation AS a WHERE session_id = ? ORDER BY step");
-  select.bind(1, static_cast<std::int64_t>(session));
+  select.bindAll(session);
   std::vector<std::pair<int, std::string>> result;
   while (select.step()) {
     const int step = static_cast<int>(select.number(0));

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "study/model/ids.h"
@@ -35,6 +36,13 @@ class Statement {
   Statement& bind(int index, const std::optional<T>& value) {
     return value ? bind(index, *value) : bindNull(index);
   }
+  /// Binds the parameters in their order, from the first on; a visit is three.
+  template <typename... Values>
+  Statement& bindAll(const Values&... values) {
+    int index = 1;
+    (bindNext(index, values), ...);
+    return *this;
+  }
 
   /// Advances to the next row. @return  false at the end
   bool step();
@@ -57,6 +65,16 @@ class Statement {
   std::string exactBytes(int column) const;
 
  private:
+  template <typename Value>
+  void bindNext(int& index, const Value& value) {
+    if constexpr (std::is_integral_v<Value> || std::is_enum_v<Value>) {
+      bind(index++, static_cast<std::int64_t>(value));
+    } else {
+      bind(index, value);
+      index += std::is_same_v<Value, VisitKey> ? 3 : 1;
+    }
+  }
+
   /// @throws StorageError  if @p value is null because SQLite is out of memory.
   void requireMemory(const void* value) const;
 

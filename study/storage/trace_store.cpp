@@ -106,8 +106,7 @@ bool TraceStore::holds(const VisitKey& visit, const TraceChunk& chunk) const {
       database_,
       "SELECT hash FROM chunk "
       "WHERE session_id = ? AND step = ? AND attempt = ? AND number = ?");
-  select.bind(1, visit);
-  select.bind(4, chunk.number);
+  select.bindAll(visit, chunk.number);
   return select.step() && select.blob(0) == chunk.hash;
 }
 
@@ -155,7 +154,7 @@ std::int64_t TraceStore::sampleCount(const VisitKey& visit) const {
       database_,
       "SELECT coalesce(sum(samples), 0) FROM chunk WHERE session_id = ? AND step = ? AND attempt = "
       "?");
-  select.bind(1, visit);
+  select.bindAll(visit);
   select.step();
   return select.number(0);
 }
@@ -165,7 +164,7 @@ std::string TraceStore::digest(const VisitKey& visit) const {
       database_,
       "SELECT number, samples, layout, hash FROM chunk "
       "WHERE session_id = ? AND step = ? AND attempt = ? ORDER BY number");
-  select.bind(1, visit);
+  select.bindAll(visit);
   Hasher hasher;
   while (select.step()) {
     for (int column = 0; column < select.columnCount(); ++column) {
@@ -193,7 +192,7 @@ std::vector<TraceChunk> chunksOf(const Database& traces, const VisitKey& visit) 
       traces,
       "SELECT number, samples, layout, data, hash FROM chunk "
       "WHERE session_id = ? AND step = ? AND attempt = ? ORDER BY number");
-  select.bind(1, visit);
+  select.bindAll(visit);
   std::vector<TraceChunk> chunks;
   while (select.step()) {
     chunks.push_back(
@@ -219,12 +218,13 @@ void addChunk(Database& traces, SessionId session, const TraceChunk& chunk) {
       traces,
       "INSERT INTO chunk (session_id, step, attempt, number, samples, layout, data, hash) "
       "VALUES (?,?,?,?,?,?,?,?)");
-  insert.bind(1, VisitKey{session, chunk.step, chunk.attempt});
-  insert.bind(4, chunk.number)
-      .bind(5, chunk.samples)
-      .bind(6, chunk.layout)
-      .bind(7, std::span<const std::byte>(chunk.data))
-      .bind(8, std::span<const std::byte>(chunk.hash));
+  insert.bindAll(
+      VisitKey{session, chunk.step, chunk.attempt},
+      chunk.number,
+      chunk.samples,
+      chunk.layout,
+      chunk.data,
+      chunk.hash);
   insert.run();
 }
 

@@ -165,7 +165,7 @@ void TrialRepository::addSealed(
       "saturated_s, slewed_s, undefined_s, contact_s, largest_force_n, cuts, trace_samples, "
       "sealed) "
       "VALUES (?,?,?,?,?,'PASS','',?,?,0,0,0,0,0,0,0,0,0,0,0,?,?)");
-  insert.bind(1, visit);
+  insert.bindAll(visit);
   int index = 4;
   for (const auto* column : {"device", "ending", "force_unit", "travel_unit", "trace_samples"}) {
     bind(insert, index++, trial.at(column));
@@ -177,7 +177,7 @@ void TrialRepository::addSealed(
 std::vector<std::string> TrialRepository::devices(SessionId session) const {
   Statement select(
       database_, "SELECT DISTINCT device FROM trial WHERE session_id = ? ORDER BY device");
-  select.bind(1, static_cast<std::int64_t>(session));
+  select.bindAll(session);
   std::vector<std::string> devices;
   while (select.step()) devices.push_back(select.text(0));
   return devices;
@@ -185,7 +185,7 @@ std::vector<std::string> TrialRepository::devices(SessionId session) const {
 
 bool TrialRepository::isSimulated(SessionId session) const {
   Statement select(database_, "SELECT 1 FROM session WHERE id = ? AND run_mode = 'simulated'");
-  return select.bind(1, static_cast<std::int64_t>(session)).step();
+  return select.bindAll(session).step();
 }
 
 UnsealedTrialRows trialsOf(const Database& study, SessionId session) {
@@ -203,7 +203,7 @@ UnsealedTrialRows trialsOf(const Database& study, SessionId session) {
       study, "SELECT sealed FROM trial WHERE session_id = ? AND step = ? AND attempt = ?");
   for (auto& trial : rows.trials) {
     const auto visit = visitOf(session, trial);
-    blob.bind(1, visit);
+    blob.bindAll(visit);
     const auto sealed = blob.step() ? blob.blob(0) : std::vector<std::byte>();
     blob.reset();
     if (sealed.empty()) {

@@ -142,7 +142,7 @@ Counts countsAt(const fs::path& folder, const std::string& instrument) {
       "a.attempt "
       "WHERE s.state = 'completed' AND t.instrument = ? AND l.condition <> '' "
       "AND v.status = 'finished' AND a.point IS NOT NULL GROUP BY 1, 2, 3");
-  select.bind(1, instrument);
+  select.bindAll(instrument);
   Counts counts;
   while (select.step()) {
     counts[{select.text(0), select.text(1), select.number(2)}] = select.number(3);

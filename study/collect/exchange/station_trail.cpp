@@ -33,7 +33,7 @@ std::unique_ptr<storage::Database> trailOf(
       *database,
       "INSERT INTO study (id, uuid, seed, random_version, app_version, created_utc) "
       "VALUES (1, ?, '', 0, '', '')");
-  row.bind(1, study);
+  row.bindAll(study);
   row.run();
   storage::EventLog log(*database);
   for (const auto& event : events) log.putStored(event);
@@ -198,7 +198,7 @@ bool StationTrail::agrees(std::int64_t session, const storage::StoredEvent& reco
       *database_,
       "SELECT s.participant_id, p.code, v.sha256 FROM session AS s JOIN participant AS p "
       "ON p.id = s.participant_id JOIN protocol AS v ON v.id = s.protocol_id WHERE s.id = ?");
-  row.bind(1, session);
+  row.bindAll(session);
   row.step();
   auto participant = row.number(0);
   const auto code = row.text(1);
@@ -215,17 +215,14 @@ bool StationTrail::agrees(std::int64_t session, const storage::StoredEvent& reco
   }
   for (const auto person : people) {
     Statement(*database_, "UPDATE participant SET id = ? WHERE id = ?")
-        .bind(1, person)
-        .bind(2, participant)
+        .bindAll(person, participant)
         .run();
     participant = person;
     for (std::int64_t version = 1; version <= versions_; ++version) {
       const auto other = protocols_.find(version);
       if (other != protocols_.end() && other->second != hash) continue;
       Statement(*database_, "UPDATE session SET participant_id = ?, protocol_id = ? WHERE id = ?")
-          .bind(1, person)
-          .bind(2, version)
-          .bind(3, session)
+          .bindAll(person, version, session)
           .run();
       if (!agreesWithNumbers(session, recorded)) continue;
       participants_[code] = person;
@@ -285,7 +282,7 @@ std::optional<std::string> StationTrail::firstProblemOfTraces(
   }
   Statement trials(
       *database_, "SELECT step, attempt, trace_samples FROM trial WHERE session_id = ?");
-  trials.bind(1, session);
+  trials.bindAll(session);
   while (trials.step()) {
     const VisitKey visit{
         SessionId{session}, static_cast<int>(trials.number(0)), static_cast<int>(trials.number(1))};

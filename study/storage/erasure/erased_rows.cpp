@@ -9,7 +9,7 @@ namespace {
 
 void runFor(Database& database, const char* sql, SessionId session) {
   Statement statement(database, sql);
-  statement.bind(1, static_cast<std::int64_t>(session));
+  statement.bindAll(session);
   statement.run();
 }
 
@@ -29,7 +29,7 @@ void emptyLog(Database& database) {
 
 std::int64_t eraseAnswers(Database& study, SessionId session, const std::string& utc) {
   Statement count(study, "SELECT count(*) FROM answer WHERE session_id = ?");
-  count.bind(1, static_cast<std::int64_t>(session));
+  count.bindAll(session);
   count.step();
   const auto answers = count.number(0);
   count.reset();
@@ -45,7 +45,7 @@ std::int64_t eraseAnswers(Database& study, SessionId session, const std::string&
       study,
       "UPDATE session SET state = 'erased', slot_state = 'released', end_reason = NULL, "
       "ended_utc = coalesce(ended_utc, ?2) WHERE id = ?1");
-  update.bind(1, static_cast<std::int64_t>(session)).bind(2, utc);
+  update.bindAll(session, utc);
   update.run();
   return answers;
 }
@@ -70,7 +70,7 @@ std::vector<std::string> textsAbout(const Database& study, const std::string& pa
       "  UNION ALL SELECT id, end_reason FROM session WHERE end_reason <> '') "
       "SELECT DISTINCT text FROM said WHERE session IN theirs "
       "EXCEPT SELECT text FROM said WHERE session NOT IN theirs");
-  select.bind(1, participant);
+  select.bindAll(participant);
   std::vector<std::string> texts;
   while (select.step()) texts.push_back(select.text(0));
   return texts;
@@ -84,7 +84,7 @@ bool hasUnsealedEvents(const Database& study, SessionId session) {
       study,
       "SELECT 1 FROM event WHERE session_id = ? AND " + sealed +
           " IS NULL AND kind <> 'erased' LIMIT 1");
-  select.bind(1, static_cast<std::int64_t>(session));
+  select.bindAll(session);
   return select.step();
 }
 

@@ -14,7 +14,7 @@ constexpr std::size_t kFieldCount = 5;
 
 bool isEnrolled(const Database& database, const ListedErasure& erasure) {
   Statement select(database, "SELECT 1 FROM participant WHERE code = ? AND created_utc = ?");
-  select.bind(1, erasure.participant).bind(2, erasure.enrolledUtc);
+  select.bindAll(erasure.participant, erasure.enrolledUtc);
   return select.step();
 }
 

@@ -27,11 +27,8 @@ std::int64_t ErasureRepository::add(const Erasure& erasure) {
       database_,
       "INSERT INTO erasure (participant, level, reason, erased_utc, finished_utc) "
       "VALUES (?, ?, ?, ?, ?)");
-  insert.bind(1, erasure.participant)
-      .bind(2, nameOf(erasure.level))
-      .bind(3, erasure.reason)
-      .bind(4, erasure.utc)
-      .bind(5, erasure.finishedUtc);
+  insert.bindAll(
+      erasure.participant, nameOf(erasure.level), erasure.reason, erasure.utc, erasure.finishedUtc);
   insert.run();
   return database_.lastInsertedId();
 }
@@ -39,7 +36,7 @@ std::int64_t ErasureRepository::add(const Erasure& erasure) {
 void ErasureRepository::finish(std::int64_t id, const std::string& utc) {
   Transaction transaction(database_);
   Statement update(database_, "UPDATE erasure SET finished_utc = ? WHERE id = ?");
-  update.bind(1, utc).bind(2, id);
+  update.bindAll(utc, id);
   update.run();
   transaction.commit();
 }

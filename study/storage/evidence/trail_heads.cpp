@@ -24,7 +24,7 @@ std::int64_t numberIn(const base::NamedArguments& values, std::string_view name)
 std::vector<std::pair<std::int64_t, base::NamedArguments>> eventsOf(
     const Database& study, std::string_view kind) {
   Statement select(study, "SELECT seq, detail FROM event WHERE kind = ? ORDER BY seq");
-  select.bind(1, kind);
+  select.bindAll(kind);
   std::vector<std::pair<std::int64_t, base::NamedArguments>> events;
   while (select.step()) {
     events.emplace_back(
@@ -55,7 +55,7 @@ TrailHeads::TrailHeads(const Database& study) : database_(study) {
 
 std::string TrailHeads::hashOf(std::int64_t seq) const {
   Statement select(database_, "SELECT lower(hex(hash)) FROM event WHERE seq = ?");
-  select.bind(1, seq);
+  select.bindAll(seq);
   return select.step() ? select.text(0) : std::string();
 }
 

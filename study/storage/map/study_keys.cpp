@@ -157,10 +157,8 @@ void storeWrapped(Database& study, const WrappedKey& key) {
   Statement insert(
       study,
       "INSERT INTO wrapped_key (id, salt, operations, memory, sealed) VALUES (1, ?, ?, ?, ?)");
-  insert.bind(1, std::as_bytes(std::span(key.salt)))
-      .bind(2, static_cast<std::int64_t>(key.cost.operations))
-      .bind(3, static_cast<std::int64_t>(key.cost.memory))
-      .bind(4, std::span<const std::byte>(key.sealed));
+  insert.bindAll(
+      std::as_bytes(std::span(key.salt)), key.cost.operations, key.cost.memory, key.sealed);
   insert.run();
 }
 

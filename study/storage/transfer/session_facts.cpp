@@ -53,7 +53,7 @@ std::string textIn(const NamedRow& row, const std::string& column) {
 std::int64_t participantIn(Database& database, const NamedRow& participant) {
   const auto code = textIn(participant, "code");
   Statement select(database, "SELECT id FROM participant WHERE code = ?");
-  select.bind(1, code);
+  select.bindAll(code);
   if (select.step()) return select.number(0);
   insertRows(database, "participant", "code, cohort, run_mode, created_utc", {participant}, {});
   return database.lastInsertedId();
@@ -61,7 +61,7 @@ std::int64_t participantIn(Database& database, const NamedRow& participant) {
 
 std::int64_t protocolIn(const Database& database, const std::string& hash) {
   Statement select(database, "SELECT id FROM protocol WHERE sha256 = ?");
-  select.bind(1, hash);
+  select.bindAll(hash);
   if (!select.step()) refuseRows("the study has not its protocol " + hash);
   return select.number(0);
 }
