@@ -147,23 +147,8 @@ constexpr std::uint64_t kMostInACell = std::uint64_t{1} << 32;
 // Relative difference below which probabilities of 31 digits count as equal.
 constexpr double kEqualProbability = 1e-20;
 
-/// Pascal's triangle in double-doubles (31 digits).
-class PreciseBinomials {
- public:
-  PreciseBinomials() {
-    for (std::size_t n = 0; n <= kLargestTotal; ++n) {
-      rows_.emplace_back(n + 1, 1.0);
-      for (std::size_t k = 1; k < n; ++k) rows_[n][k] = rows_[n - 1][k - 1] + rows_[n - 1][k];
-    }
-  }
-  const DoubleDouble& operator()(std::uint64_t n, std::uint64_t k) const { return rows_[n][k]; }
-
- private:
-  std::vector<std::vector<DoubleDouble>> rows_;
-};
-
-const PreciseBinomials& preciseBinomials() {
-  static const PreciseBinomials table;
+const auto& preciseBinomials() {
+  static const auto table = binomialCoefficients<DoubleDouble>(kLargestTotal);
   return table;
 }
 
@@ -212,8 +197,8 @@ class TableEnumeration {
           i + 1,
           wanted - part,
           others,
-          p * preciseBinomials()(here, part) * preciseBinomials()(others, wanted - part) /
-              preciseBinomials()(below, wanted));
+          p * preciseBinomials()[here][part] * preciseBinomials()[others][wanted - part] /
+              preciseBinomials()[below][wanted]);
     }
     rows_[i] = here;
   }
@@ -261,10 +246,10 @@ DoubleDouble probabilityOf(std::span<const Counts> table, const Margins& margins
   std::uint64_t all = margins.total;
   DoubleDouble p = 1.0;
   for (std::size_t j = 0; j < margins.columns.size(); ++j) {
-    p = p / preciseBinomials()(all, margins.columns[j]);
+    p = p / preciseBinomials()[all][margins.columns[j]];
     all -= margins.columns[j];
     for (std::size_t i = 0; i < left.size(); ++i) {
-      p = p * preciseBinomials()(left[i], table[i][j]);
+      p = p * preciseBinomials()[left[i]][table[i][j]];
       left[i] -= table[i][j];
     }
   }

@@ -1,7 +1,6 @@
 #include "analysis/hypothesis_tests/vote_tests.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <stdexcept>
 
@@ -16,23 +15,8 @@ namespace {
 constexpr std::size_t kTooMany = 127;               // both votes and options must be fewer
 constexpr Int128 kMostOutcomes = Int128{1} << 126;  // largest divisor of exactQuotient()
 
-/// Pascal's triangle up to the largest number of votes, kTooMany − 1.
-class Binomials {
- public:
-  Binomials() {
-    for (std::size_t n = 0; n < kTooMany; ++n) {
-      rows_[n][0] = rows_[n][n] = 1;
-      for (std::size_t k = 1; k < n; ++k) rows_[n][k] = rows_[n - 1][k - 1] + rows_[n - 1][k];
-    }
-  }
-  Int128 operator()(std::size_t n, std::size_t k) const { return rows_[n][k]; }
-
- private:
-  std::array<std::array<Int128, kTooMany>, kTooMany> rows_{};
-};
-
-const Binomials& binomials() {
-  static const Binomials table;
+const auto& binomials() {
+  static const auto table = binomialCoefficients<Int128>(kTooMany - 1);
   return table;
 }
 
@@ -63,13 +47,13 @@ class Outcomes {
            sameCountOptions <= options && sameCountOptions * votesEach <= votes;
            ++sameCountOptions) {
         const std::size_t left = votes - sameCountOptions * votesEach;
-        ordersHere *= binomials()(left + votesEach, votesEach);
+        ordersHere *= binomials()[left + votesEach][votesEach];
         visit(
             left,
             options - sameCountOptions,
             votesEach - 1,
             ordersHere,
-            assignments * binomials()(options, sameCountOptions));
+            assignments * binomials()[options][sameCountOptions]);
       }
     }
   }
@@ -97,7 +81,7 @@ Int128 ordersOf(const std::vector<VoteShare>& shares) {
   std::size_t votes = 0;
   for (const auto& share : shares) {
     votes += share.votes;
-    orders *= binomials()(votes, share.votes);
+    orders *= binomials()[votes][share.votes];
   }
   return orders;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -55,6 +56,17 @@ __extension__ using Int128 = __int128;
 /// @param numerator    less than 2^127 in magnitude
 /// @param denominator  between 1 and 2^126
 DoubleDouble exactQuotient(Int128 numerator, Int128 denominator);
+
+/// Pascal's triangle: element [n][k] is the number of ways to choose k of n, for n up to @p last.
+template <typename Number>
+std::vector<std::vector<Number>> binomialCoefficients(std::size_t last) {
+  std::vector<std::vector<Number>> rows;
+  for (std::size_t n = 0; n <= last; ++n) {
+    rows.emplace_back(n + 1, Number(1));
+    for (std::size_t k = 1; k < n; ++k) rows[n][k] = rows[n - 1][k - 1] + rows[n - 1][k];
+  }
+  return rows;
+}
 
 /// Numbers represented as multiples / denominator.
 struct ScaledIntegers {
