@@ -22,9 +22,11 @@ void addStudyFolder(CLI::App& command, std::string& folder) {
   command.add_option("FOLDER", folder, "Folder of the study")->required();
 }
 
-void addProtocolFile(CLI::App& command, std::string& file, const char* name) {
-  command.add_option(name, file, "Protocol file (.json), or a name from 'palpate protocol list'")
-      ->required();
+CLI::Option& addProtocolFile(CLI::App& command, std::string& file, const char* name) {
+  return *command
+              .add_option(
+                  name, file, "Protocol file (.json), or a name from 'palpate protocol list'")
+              ->required();
 }
 
 protocols::LoadedProtocol loadValidProtocol(const std::string& file) {

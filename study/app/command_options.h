@@ -48,7 +48,7 @@ CLI::App& addCommandGroup(CLI::App& program, const char* name, const char* help)
 void addStudyFolder(CLI::App& command, std::string& folder);
 
 /// Adds the argument FILE, or @p name: a protocol file, or the id of a protocol in the library.
-void addProtocolFile(CLI::App& command, std::string& file, const char* name = "FILE");
+CLI::Option& addProtocolFile(CLI::App& command, std::string& file, const char* name = "FILE");
 
 /// The protocol in a file or in the library. @throws UserError  with all problems of the file.
 protocols::LoadedProtocol loadValidProtocol(const std::string& file);

@@ -250,13 +250,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
   };
 
   auto [create, creating] = add("create", "Create a study from a protocol", app::create);
-  create
-      ->add_option(
-          "--protocol",
-          creating.protocol,
-          "Protocol file (.json), or a name from 'palpate protocol list'")
-      ->type_name("FILE")
-      ->required();
+  addProtocolFile(*create, creating.protocol, "--protocol").type_name("FILE");
   create->add_option(
       "--seed", creating.seed, "Random seed (default: the protocol's, otherwise a new one)");
   create->add_flag(
