@@ -34,6 +34,11 @@ std::vector<std::string_view> splitText(std::string_view text, std::string_view 
   return pieces;
 }
 
+std::size_t characterCount(std::string_view text) {
+  const auto isFirst = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  return static_cast<std::size_t>(std::ranges::count_if(text, isFirst));
+}
+
 std::string lowerCase(std::string_view text) {
   std::string result(text);
   for (char& c : result) {

@@ -19,6 +19,9 @@ std::string_view trimmed(std::string_view text, std::string_view blanks = " \t")
 /// The pieces of @p text between runs of characters of @p blanks.
 std::vector<std::string_view> splitText(std::string_view text, std::string_view blanks);
 
+/// The number of characters of a text in UTF-8: its bytes without those that continue a character.
+std::size_t characterCount(std::string_view text);
+
 /// ASCII letters in lower case; all other bytes as they are.
 std::string lowerCase(std::string_view text);
 

@@ -135,9 +135,6 @@ DataTable asTable(const TravelProfile& profile, const std::vector<PlayedCurve>& 
   for (const char* name : {"condition", "curve", "time_s", "travel", "force_n", "stiffness"}) {
     table.columns.push_back({.name = name});
   }
-  const auto cellOrEmpty = [](double value) {
-    return std::isfinite(value) ? Cell(value) : Cell(std::monostate());
-  };
   for (const auto& curve : curves) {
     for (std::size_t i = 0; i < profile.travel.size(); ++i) {
       table.rows.push_back(
@@ -145,8 +142,8 @@ DataTable asTable(const TravelProfile& profile, const std::vector<PlayedCurve>& 
            curve.title,
            static_cast<double>(i) / profile.rate,
            profile.travel[i],
-           cellOrEmpty(curve.force[i]),
-           cellOrEmpty(curve.stiffness[i])});
+           finiteCell(curve.force[i]),
+           finiteCell(curve.stiffness[i])});
     }
   }
   return table;

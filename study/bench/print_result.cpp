@@ -7,26 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "base/text_table.h"
 #include "haptics/bench/measurement.h"
 #include "study/app/write_report.h"
 
 namespace study::bench {
 namespace {
-
-struct TextOfCell {
-  std::string operator()(std::monostate) const { return "–"; }
-  std::string operator()(bool value) const { return value ? "yes" : "no"; }
-  std::string operator()(std::int64_t value) const { return std::to_string(value); }
-  std::string operator()(double value) const { return fmt::format("{:.4g}", value); }
-  std::string operator()(const std::string& value) const { return value; }
-};
-
-/// The number of characters (not bytes) of a UTF-8 text.
-std::size_t widthOf(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  }));
-}
 
 DataTable machineTable() {
   DataTable table{
@@ -64,17 +50,18 @@ std::string asPlainText(const DataTable& table) {
   for (const auto& column : table.columns) lines.front().push_back(column.description);
   for (const auto& row : table.rows) {
     lines.emplace_back();
-    for (const auto& cell : row) lines.back().push_back(std::visit(TextOfCell{}, cell));
+    for (const auto& cell : row) lines.back().push_back(textOfCell(cell));
   }
   std::vector<std::size_t> widths(table.columns.size());
   for (const auto& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], widthOf(line[i]));
+    for (std::size_t i = 0; i < line.size(); ++i)
+      widths[i] = std::max(widths[i], base::characterCount(line[i]));
   }
   std::string text;
   for (const auto& line : lines) {
     std::string padded;
     for (std::size_t i = 0; i < line.size(); ++i) {
-      padded += "  " + line[i] + std::string(widths[i] - widthOf(line[i]), ' ');
+      padded += "  " + line[i] + std::string(widths[i] - base::characterCount(line[i]), ' ');
     }
     text += padded.substr(0, padded.find_last_not_of(' ') + 1) + "\n";
   }

@@ -1,6 +1,5 @@
 // palpate-bench stability: stiff and extreme cases, each checked against a bound.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <map>
 
@@ -88,7 +87,7 @@ DataTable wallTable(const StabilityResult& result) {
          wall.isStable,
          wall.isPassivityUnproven,
          wall.isDetectedByObserver,
-         std::isfinite(wall.amplitude) ? Cell(wall.amplitude) : Cell()});
+         finiteCell(wall.amplitude)});
   }
   return table;
 }

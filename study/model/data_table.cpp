@@ -2,6 +2,9 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
 
 namespace study {
 namespace {
@@ -20,7 +23,23 @@ bool beginsLikeAFormula(const std::string& text) {
   return !text.empty() && std::string("=+-@\t\r").find(text.front()) != std::string::npos;
 }
 
+struct TextOfCell {
+  std::string operator()(std::monostate) const { return "–"; }
+  std::string operator()(bool value) const { return value ? "yes" : "no"; }
+  std::string operator()(std::int64_t value) const { return std::to_string(value); }
+  std::string operator()(double value) const { return fmt::format("{:.4g}", value); }
+  std::string operator()(const std::string& value) const { return value; }
+};
+
 }  // namespace
+
+Cell finiteCell(double value) {
+  return std::isfinite(value) ? Cell(value) : Cell();
+}
+
+std::string textOfCell(const Cell& cell) {
+  return std::visit(TextOfCell(), cell);
+}
 
 std::string withFormulaEscaped(const std::string& text) {
   return beginsLikeAFormula(text) ? "'" + text : text;

@@ -19,6 +19,12 @@ Cell cellOf(const std::optional<T>& value) {
   return value ? Cell(*value) : Cell();
 }
 
+/// The cell of a number; std::monostate for one that is infinite or NaN.
+Cell finiteCell(double value);
+
+/// A cell as people read it: "yes", "12", "0.1235" of four digits; "–" for a missing value.
+std::string textOfCell(const Cell& cell);
+
 /// The heading of a column.
 struct Heading {
   std::string name;         ///< in a file: snake_case, with its unit; in a window: words

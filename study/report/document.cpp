@@ -1,19 +1,9 @@
 #include "study/report/document.h"
 
-#include <fmt/format.h>
-
 #include "study/report/html_text.h"
 
 namespace study::report {
 namespace {
-
-struct CellInWords {
-  std::string operator()(std::monostate) const { return "–"; }
-  std::string operator()(bool value) const { return value ? "yes" : "no"; }
-  std::string operator()(std::int64_t value) const { return std::to_string(value); }
-  std::string operator()(double value) const { return fmt::format("{:.4g}", value); }
-  std::string operator()(const std::string& value) const { return escaped(value); }
-};
 
 void putTable(const DataTable& table, std::string& html) {
   if (table.description.empty()) return;
@@ -25,7 +15,7 @@ void putTable(const DataTable& table, std::string& html) {
   html += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
     html += "<tr>";
-    for (const auto& cell : row) html += "<td>" + std::visit(CellInWords(), cell) + "</td>";
+    for (const auto& cell : row) html += "<td>" + escaped(textOfCell(cell)) + "</td>";
     html += "</tr>\n";
   }
   html += "</tbody></table>\n";

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/joined.h"
+#include "base/text_table.h"
 #include "study/report/html_text.h"
 
 namespace study::report {
@@ -120,13 +121,6 @@ class CertificateRows {
   const words::Words& words_;
 };
 
-/// The number of characters of a text in UTF-8, not of bytes.
-std::size_t widthOf(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
-  }));
-}
-
 }  // namespace
 
 bool ErasureCertificate::isClean() const {
@@ -140,9 +134,9 @@ std::string asText(const ErasureCertificate& certificate, const words::Words& wo
   std::string text = words(kTitle) + "\n\n";
   const auto rows = CertificateRows(certificate, words).rows();
   std::size_t width = kLeastWidth;
-  for (const auto& [what, value] : rows) width = std::max(width, widthOf(what));
+  for (const auto& [what, value] : rows) width = std::max(width, base::characterCount(what));
   for (const auto& [what, value] : rows) {
-    text += what + std::string(width + 1 - widthOf(what), ' ') + value + "\n";
+    text += what + std::string(width + 1 - base::characterCount(what), ' ') + value + "\n";
   }
   // The program reads this line, so it is not translated.
   return text +

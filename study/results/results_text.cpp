@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "analysis/registry/registry.h"
+#include "base/text_table.h"
 #include "questionnaires/model/answer.h"
 #include "study/results/vote_tables.h"
 #include "study/words/counted.h"
@@ -12,15 +13,9 @@
 namespace study {
 namespace {
 
-/// The number of columns of a text on a terminal: its bytes except continuation bytes of UTF-8.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-  }));
-}
-
 std::string padded(const std::string& text, std::size_t columns, bool toTheRight = false) {
-  const std::string space(columns > width(text) ? columns - width(text) : 0, ' ');
+  const std::string space(
+      columns > base::characterCount(text) ? columns - base::characterCount(text) : 0, ' ');
   return toTheRight ? space + text : text + space;
 }
 

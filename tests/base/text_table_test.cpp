@@ -8,6 +8,7 @@
 
 namespace text_table_test {
 
+using base::characterCount;
 using base::DecimalMark;
 using base::decimalNumber;
 using Cells = std::vector<std::string>;
@@ -72,6 +73,11 @@ TEST(DecimalNumber, DoesNotDependOnTheLocale) {
   std::locale::global(before);
 
   EXPECT_EQ(number, 1234.5);
+}
+
+TEST(CharacterCount, CountsCharactersAndNotBytes) {
+  EXPECT_EQ(characterCount(""), 0U);
+  EXPECT_EQ(characterCount("α – µ"), 5U);
 }
 
 TEST(TextTable, TrimsCellsAndCountsEmptyOnes) {

@@ -30,10 +30,6 @@ std::vector<double> feedsUpTo(double most) {
   return feeds;
 }
 
-Cell cellOrEmpty(double value) {
-  return std::isfinite(value) ? Cell(value) : Cell(std::monostate());
-}
-
 /// The force of the fitted curve at @p depth [m], interpolated linearly [N].
 double curveForceAt(const reaming::CurveFit& curve, double depth) {
   return reaming::forceAt({.depth = curve.depths, .force = curve.wanted, .stop = {}}, depth);
@@ -75,11 +71,11 @@ std::vector<Cell> rowOf(
     const Wanted& wanted) {
   std::vector<Cell> row{curve, kMillimetres * feed};
   for (const double depth : kDepths) {
-    row.push_back(cellOrEmpty(reaming::forceAt(result, depth)));
-    row.push_back(cellOrEmpty(wanted(depth)));
+    row.push_back(finiteCell(reaming::forceAt(result, depth)));
+    row.push_back(finiteCell(wanted(depth)));
   }
   for (const double value : {result.removed, result.removedShare, result.unaccounted}) {
-    row.push_back(cellOrEmpty(value));
+    row.push_back(finiteCell(value));
   }
   return row;
 }
