@@ -1,9 +1,7 @@
 #include "base/text_table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 #include "base/joined.h"
 
@@ -55,11 +53,8 @@ std::optional<double> decimalNumber(std::string_view text, DecimalMark mark) {
   if (isCommaMark) digits[comma] = '.';
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.erase(0, 1);
 
-  double number = 0.0;
-  const char* const end = digits.data() + digits.size();
-  const auto [stopped, problem] = std::from_chars(digits.data(), end, number);
-  const bool isNumber = problem == std::errc{} && stopped == end && std::isfinite(number);
-  return isNumber ? std::optional(number) : std::nullopt;
+  const auto number = numberFrom<double>(digits);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 std::vector<TextLine> linesOf(std::string_view text) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 // Parses text tables as testing machines, loggers and spreadsheets write them: one row per line,
@@ -34,6 +36,16 @@ enum class DecimalMark {
 /// The double nearest to a decimal number, in every locale; std::nullopt for other text, for
 /// infinities and for numbers beyond the range of a double.
 std::optional<double> decimalNumber(std::string_view text, DecimalMark mark = DecimalMark::Point);
+
+/// The number that the whole of @p text is, in every locale; std::nullopt for other text, such as
+/// one with blanks or a plus sign, and for numbers that a Number cannot hold.
+template <typename Number>
+std::optional<Number> numberFrom(std::string_view text) {
+  Number number{};
+  const auto [stopped, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool isNumber = problem == std::errc{} && stopped == text.data() + text.size();
+  return isNumber ? std::optional(number) : std::nullopt;
+}
 
 /// A line of a file and its number there, from 1.
 struct TextLine {

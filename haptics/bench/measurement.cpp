@@ -28,13 +28,6 @@ std::string asTextOrDash(const std::optional<double>& value) {
   return value ? asText(*value) : kNoValue;
 }
 
-std::optional<double> numberFrom(const std::string& text) {
-  double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
-  return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
-}
-
 std::vector<std::optional<Timing>> optional(const std::vector<Timing>& timings) {
   return {timings.begin(), timings.end()};
 }
@@ -66,17 +59,17 @@ std::optional<Measurement> fromLine(const std::string& line) {
   constexpr std::size_t kFields = 8;
   const auto fields = base::cellsOf(line, kSeparator);
   if (fields.size() != kFields) return std::nullopt;
-  const auto parameter = numberFrom(fields[3]);
+  const auto parameter = base::numberFrom<double>(fields[3]);
   if (!parameter) return std::nullopt;
   Measurement m{
       .family = fields[0],
       .setting = fields[1],
       .method = fields[2],
       .parameter = *parameter,
-      .error = numberFrom(fields[4]),
-      .bound = numberFrom(fields[5])};
-  const auto median = numberFrom(fields[6]);
-  const auto p99 = numberFrom(fields[7]);
+      .error = base::numberFrom<double>(fields[4]),
+      .bound = base::numberFrom<double>(fields[5])};
+  const auto median = base::numberFrom<double>(fields[6]);
+  const auto p99 = base::numberFrom<double>(fields[7]);
   if (median && p99) m.time = Timing{*median, *p99};
   return m;
 }

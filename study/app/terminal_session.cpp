@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <initializer_list>
@@ -12,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text_table.h"
 #include "haptics/devices/device.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/cohort/simulated_participant.h"
@@ -38,14 +38,6 @@ std::string readLine() {
   std::string line;
   if (!std::getline(std::cin, line)) throw InputEnded();
   return line;
-}
-
-template <typename Number>
-std::optional<Number> numberIn(const std::string& text) {
-  Number number{};
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool isAll = result.ec == std::errc() && result.ptr == text.data() + text.size();
-  return isAll ? std::optional(number) : std::nullopt;
 }
 
 /// Whether @p word equals one of @p words, ignoring case.
@@ -156,7 +148,7 @@ class TerminalSession {
     const int needed = session_.step().minimumCuts;
     while (session_.benchmarkCuts() < needed) {
       fmt::print("How many cuts were made (at least {})? ", needed);
-      const auto cuts = numberIn<int>(readLine());
+      const auto cuts = base::numberFrom<int>(readLine());
       if (cuts && *cuts >= 0) storeWithRetries([&] { session_.recordBenchmarkCuts(*cuts); });
     }
   }
@@ -253,10 +245,10 @@ class TerminalSession {
   static std::optional<Response> parse(const Item& item, const std::string& line) {
     switch (questionnaires::answerKindOf(item.type)) {
       case AnswerKind::Point:
-        if (const auto point = numberIn<std::int64_t>(line)) return *point;
+        if (const auto point = base::numberFrom<std::int64_t>(line)) return *point;
         return std::nullopt;
       case AnswerKind::Number:
-        if (const auto number = numberIn<double>(line)) return *number;
+        if (const auto number = base::numberFrom<double>(line)) return *number;
         return std::nullopt;
       case AnswerKind::Options: {
         std::vector<std::string> ids;

@@ -1,12 +1,12 @@
 #include "study/session/study.h"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include <sodium.h>
 
 #include "base/random.h"
+#include "base/text_table.h"
 #include "protocols/load_protocol.h"
 #include "study/model/study_files.h"
 #include "study/model/user_error.h"
@@ -96,8 +96,14 @@ void Study::readStudyRow() {
         StorageError::Kind::Newer);
   }
   uuid_ = select.text(0);
-  const std::string seed = select.text(1);
-  std::from_chars(seed.data(), seed.data() + seed.size(), seed_);
+  const auto seed = base::numberFrom<std::uint64_t>(select.text(1));
+  if (!seed) {
+    throw StorageError(
+        database_.path() + " is damaged: the seed of its orders is '" + select.text(1) +
+            "', which is no whole number. Restore it from a copy; do not go on with it.",
+        StorageError::Kind::Damaged);
+  }
+  seed_ = *seed;
   createdUtc_ = select.text(3);
   const auto made = events().valuesOfMadeStudy();
   station_ = {

@@ -1,5 +1,6 @@
 #include "base/text_table.h"
 
+#include <cstdint>
 #include <locale>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@ namespace text_table_test {
 using base::characterCount;
 using base::DecimalMark;
 using base::decimalNumber;
+using base::numberFrom;
 using Cells = std::vector<std::string>;
 
 TEST(DecimalNumber, IsTheNearestDouble) {
@@ -78,6 +80,16 @@ TEST(DecimalNumber, DoesNotDependOnTheLocale) {
 TEST(CharacterCount, CountsCharactersAndNotBytes) {
   EXPECT_EQ(characterCount(""), 0U);
   EXPECT_EQ(characterCount("α – µ"), 5U);
+}
+
+TEST(NumberFrom, IsWhatTheWholeTextIs) {
+  EXPECT_EQ(numberFrom<int>("-12"), -12);
+  EXPECT_EQ(numberFrom<std::uint64_t>("18446744073709551615"), 18446744073709551615U);
+  EXPECT_EQ(numberFrom<double>("0.1"), 0.1);
+  for (const auto* text : {"", "1 ", " 1", "+1", "1.5", "one", "2147483648"}) {
+    EXPECT_FALSE(numberFrom<int>(text)) << text;
+  }
+  EXPECT_FALSE(numberFrom<std::uint64_t>("-1"));
 }
 
 TEST(TextTable, TrimsCellsAndCountsEmptyOnes) {

@@ -1,9 +1,9 @@
 #include "study/app/measurements/material_inputs.h"
 
-#include <charconv>
 #include <filesystem>
 #include <map>
 
+#include "base/text_table.h"
 #include "haptics/reaming/material/series.h"
 #include "study/app/command_options.h"
 #include "study/model/user_error.h"
@@ -61,15 +61,6 @@ CLI::IsMember oneOf(const Enum (&choices)[kCount]) {
   std::vector<std::string> names;
   for (const auto choice : choices) names.emplace_back(protocols::nameOf(choice));
   return CLI::IsMember(names);
-}
-
-/// The number of nodes in @p nodes; std::nullopt if it is the name of a rule.
-std::optional<std::size_t> numberIn(const std::string& nodes) {
-  std::size_t count = 0;
-  const auto* end = nodes.data() + nodes.size();
-  const auto read = std::from_chars(nodes.data(), end, count);
-  if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
-  return count;
 }
 
 }  // namespace
@@ -177,7 +168,7 @@ reaming::FitOptions MaterialInputs::fitOptions() const {
   result.envelope = named(envelope, kEnvelopes);
   result.spline = named(spline, kSplines);
   if (!nodesOf.empty()) result.nodesOf = named(nodesOf, kSplines);
-  result.nodeCount = numberIn(nodes);
+  result.nodeCount = base::numberFrom<std::size_t>(nodes);
   if (!result.nodeCount) result.nodes = named(nodes, kNodeRules);
   if (result.nodeCount && command->count("--error") > 0) {
     throw UserError(

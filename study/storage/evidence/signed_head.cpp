@@ -1,11 +1,11 @@
 #include "study/storage/evidence/signed_head.h"
 
 #include <algorithm>
-#include <charconv>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "base/text_table.h"
 #include "study/storage/statement.h"
 
 namespace study::storage {
@@ -50,9 +50,9 @@ std::optional<SignedHead> headIn(const std::string& line, std::string* rest) {
   SignedHead head;
   words >> first >> head.study >> head.first >> count >> head.hash >> head.utc >> head.purpose >>
       head.key >> head.signature;
-  const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), head.events);
-  const bool isNumber = error == std::errc() && end == count.data() + count.size();
-  if (!words || first != kFirstWord || !isNumber) return std::nullopt;
+  const auto events = base::numberFrom<std::int64_t>(count);
+  if (!words || first != kFirstWord || !events) return std::nullopt;
+  head.events = *events;
   if (rest != nullptr) std::getline(words >> std::ws, *rest);
   return head;
 }

@@ -70,6 +70,21 @@ TEST(Database, GivesAStatementWithoutTheValuesOfTheLastUse) {
   EXPECT_FALSE(second.step());
 }
 
+TEST(Database, BindsAllParametersInTheirOrder) {
+  const auto database = Database::inMemory(studySchema());
+  Statement row(database, "SELECT ?, ?, ?, ?, ?, ?, ?");
+  const VisitKey visit{.session = SessionId{7}, .step = 2, .attempt = 3};
+  row.bindAll(true, visit, "text", 0.5, std::optional<std::string>());
+  ASSERT_TRUE(row.step());
+  EXPECT_EQ(row.number(0), 1);
+  EXPECT_EQ(row.number(1), 7);
+  EXPECT_EQ(row.number(2), 2);
+  EXPECT_EQ(row.number(3), 3);
+  EXPECT_EQ(row.text(4), "text");
+  EXPECT_EQ(row.real(5), 0.5);
+  EXPECT_TRUE(row.isNull(6));
+}
+
 TEST(Database, CanBeChangedAndVacuumedAfterAStatementThatDidNotReadToTheEnd) {
   auto database = Database::inMemory(studySchema());
   database.execute("CREATE TABLE note (words TEXT); INSERT INTO note VALUES ('a'), ('b')");
@@ -205,6 +220,15 @@ TEST_F(OpeningTest, AStudyWithUnknownRandomNumbers) {
   const auto refusal = opening();
   EXPECT_EQ(refusal.kind, Kind::Newer);
   expectClear(refusal, "Install the version that made it");
+}
+
+TEST_F(OpeningTest, AStudyWhoseSeedIsNoNumber) {
+  for (const std::string seed : {"", "12 34", "seed", "18446744073709551616"}) {
+    tests::Sql(study_.file("study.db")).run("UPDATE study SET seed = '" + seed + "'");
+    const auto refusal = opening();
+    EXPECT_EQ(refusal.kind, Kind::Damaged);
+    expectClear(refusal, "study.db is damaged: the seed of its orders is '" + seed + "'");
+  }
 }
 
 TEST(Transaction, RollsBackUncommittedChanges) {
