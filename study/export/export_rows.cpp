@@ -1,7 +1,6 @@
 #include "study/export/export_rows.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -144,20 +143,15 @@ ExportedStep StudyRows::stepOf(const SessionRecord& session, const StepRecord& s
 }
 
 std::string_view StudyRows::chosenIn(const ExportedAnswer& row) const {
-  const auto* label = std::get_if<std::string>(&row.record->answer.response);
-  const bool isVote = row.item != nullptr && label != nullptr &&
-                      row.item->optionSource == questionnaires::OptionSource::Alternatives;
-  const auto session = sessions_.at(row.owner.session);
+  const auto& session = sessions_.at(row.owner.session);
   const auto* phase = study_.protocol(session.protocol).protocol.phase(row.block);
-  if (!isVote || phase == nullptr) return {};
-  int number = 0;
-  std::from_chars(label->data(), label->data() + label->size(), number);
-  const auto chosenCondition =
-      conditionOfAlternative_.find({row.owner.session, phase->block, number});
-  if (chosenCondition == conditionOfAlternative_.end()) return {};
-  if (!isBlinded_) return chosenCondition->second;
+  if (phase == nullptr) return {};
+  const auto* chosen =
+      chosenCondition(conditionOfAlternative_, *row.record, row.item, phase->block);
+  if (chosen == nullptr) return {};
+  if (!isBlinded_) return *chosen;
   const auto& codes = codes_.at(row.owner.runMode);
-  const auto code = codes.find(chosenCondition->second);
+  const auto code = codes.find(*chosen);
   return code == codes.end() ? std::string_view() : code->second;
 }
 

@@ -102,9 +102,7 @@ class StudyRows {
   std::vector<storage::AnswerRecord> answers_;
   std::vector<storage::StoredTrial> trials_;
   std::vector<storage::CutRecord> cuts_;
-  std::map<storage::Records::Alternative, std::string>
-      conditionOfAlternative_;  ///< condition ids, of exported rows
-                                ///< only
+  storage::Records::Allocation conditionOfAlternative_;  ///< condition ids, of exported rows only
 };
 
 }  // namespace study

@@ -1,7 +1,6 @@
 #include "study/export/public_tables.h"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -158,12 +157,9 @@ class PublicTables {
   std::string_view chosenCode(const storage::AnswerRecord& answer, const std::string& label) const {
     const auto* phase = study_.protocol().protocol.phase(answer.step.phase);
     if (phase == nullptr) return {};
-    int number = 0;
-    std::from_chars(label.data(), label.data() + label.size(), number);
-    const auto chosenCondition =
-        allocation_.find({answer.step.visit.session, phase->block, number});
-    return chosenCondition == allocation_.end() ? std::string_view()
-                                                : codeOf(chosenCondition->second);
+    const auto* condition =
+        conditionOf(allocation_, answer.step.visit.session, phase->block, label);
+    return condition == nullptr ? std::string_view() : codeOf(*condition);
   }
 
   Cell responseOf(const storage::AnswerRecord& answer, const Item& item) const {
@@ -209,7 +205,7 @@ class PublicTables {
   Readers readers_;
   std::vector<std::string> ids_;
   std::map<std::string, std::string> codes_;
-  std::map<storage::Records::Alternative, std::string> allocation_;
+  storage::Records::Allocation allocation_;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "study/results/item_summaries.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -52,7 +51,7 @@ class ItemSummariser {
       const protocols::LoadedProtocol& loaded,
       const std::map<SessionId, storage::SessionRecord>& sessions,
       const std::vector<AnswerRecord>& answers,
-      const std::map<Records::Alternative, std::string>& allocation)
+      const Records::Allocation& allocation)
       : loaded_(loaded), sessions_(sessions), allocation_(allocation) {
     bool isBefore = true;
     for (const auto& phase : loaded.protocol.phases) {
@@ -179,20 +178,13 @@ class ItemSummariser {
   void noteChoice(const AnswerRecord& answer, const protocols::Phase& phase) {
     if (phase.type != PhaseType::Preference) return;
     const auto* item = loaded_.instrument(phase.instrument)->item(answer.answer.item);
-    const auto* label = std::get_if<std::string>(&answer.answer.response);
-    const bool isVote = item != nullptr && label != nullptr &&
-                        item->optionSource == questionnaires::OptionSource::Alternatives;
-    if (!isVote) return;
-    int number = 0;
-    std::from_chars(label->data(), label->data() + label->size(), number);
-    const auto felt = allocation_.find({answer.step.visit.session, phase.block, number});
-    if (felt != allocation_.end() && isKnown(felt->second))
-      chosen_[answer.step.visit] = felt->second;
+    const auto* felt = chosenCondition(allocation_, answer, item, phase.block);
+    if (felt != nullptr && isKnown(*felt)) chosen_[answer.step.visit] = *felt;
   }
 
   const protocols::LoadedProtocol& loaded_;
   const std::map<SessionId, storage::SessionRecord>& sessions_;
-  const std::map<Records::Alternative, std::string>& allocation_;
+  const Records::Allocation& allocation_;
   std::set<std::string> beforeBlocks_;  ///< ids of phases before the first block
   /// The answers to each item, by instrument and item.
   std::map<std::pair<std::string, std::string>, std::vector<const AnswerRecord*>> answers_;
@@ -205,7 +197,7 @@ ItemResults summariseItems(
     const protocols::LoadedProtocol& loaded,
     const std::map<SessionId, storage::SessionRecord>& sessions,
     const std::vector<AnswerRecord>& answers,
-    const std::map<Records::Alternative, std::string>& allocation) {
+    const Records::Allocation& allocation) {
   return ItemSummariser(loaded, sessions, answers, allocation).all();
 }
 

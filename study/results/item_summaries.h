@@ -60,6 +60,6 @@ ItemResults summariseItems(
     const protocols::LoadedProtocol& loaded,
     const std::map<SessionId, storage::SessionRecord>& sessions,
     const std::vector<storage::AnswerRecord>& answers,
-    const std::map<storage::Records::Alternative, std::string>& allocation);
+    const storage::Records::Allocation& allocation);
 
 }  // namespace study

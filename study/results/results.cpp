@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
@@ -10,6 +9,7 @@
 #include "analysis/data/vote_shares.h"
 #include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/registry/registry.h"
+#include "base/search.h"
 #include "study/model/trial_record.h"
 #include "study/results/answer_tables.h"
 #include "study/results/pooled_results.h"
@@ -278,16 +278,6 @@ class Computation {
             std::find(blocks.begin(), blocks.end(), answer.step.phase) != blocks.end());
   }
 
-  /// The condition of an alternative in a session; empty if the session did not have that
-  /// alternative.
-  std::string conditionOf(
-      SessionId session, const std::string& block, const std::string& label) const {
-    int number = 0;
-    std::from_chars(label.data(), label.data() + label.size(), number);
-    const auto felt = allocation_.find({session, block, number});
-    return felt == allocation_.end() ? std::string() : felt->second;
-  }
-
   /// @param site  empty: votes of all sites
   VoteResult votesOf(
       const protocols::Phase& phase,
@@ -308,13 +298,8 @@ class Computation {
       const auto& session = sessions_.at(answer.step.visit.session);
       if (!site.empty() && session.site != site) continue;
       const auto* item = instrument->item(answer.answer.item);
-      const auto* label = std::get_if<std::string>(&answer.answer.response);
-      const bool isVote = item != nullptr && label != nullptr &&
-                          item->optionSource == questionnaires::OptionSource::Alternatives;
-      if (!isVote) continue;
-      const auto felt = conditionOf(answer.step.visit.session, phase.block, *label);
-      const auto& options = block.conditions;
-      if (std::find(options.begin(), options.end(), felt) != options.end()) result.votes.add(felt);
+      const auto* felt = chosenCondition(allocation_, answer, item, phase.block);
+      if (felt != nullptr && base::contains(block.conditions, *felt)) result.votes.add(*felt);
     }
     result.test = analysis::equalSharesTest(result.votes);
     for (const auto& share : result.votes.shares()) {
@@ -334,7 +319,7 @@ class Computation {
   std::map<SessionId, SessionRecord> sessions_;
   std::vector<AnswerRecord> answers_;
   std::vector<storage::StoredTrial> trials_;
-  std::map<Records::Alternative, std::string> allocation_;
+  Records::Allocation allocation_;
 };
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <limits>
 #include <tuple>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -335,7 +337,7 @@ std::vector<CutRecord> Records::cuts() const {
   return cuts;
 }
 
-std::map<Records::Alternative, std::string> Records::allocation() const {
+Records::Allocation Records::allocation() const {
   Statement select(
       database_,
       std::string("SELECT s.session_id, s.phase, s.label, a.condition, s.step, ") +
@@ -344,13 +346,35 @@ std::map<Records::Alternative, std::string> Records::allocation() const {
           "JOIN allocation AS a ON a.session_id = s.session_id AND a.step = s.step "
           "WHERE s.kind = 'trial'");
   const ConditionCell condition{database_, conditions_};
-  std::map<Alternative, std::string> allocation;
+  Allocation allocation;
   while (select.step()) {
     const SessionId session{select.number(0)};
     const Alternative place{session, select.text(1), static_cast<int>(select.number(2))};
     allocation[place] = condition.in(select, 3, 5, session, static_cast<int>(select.number(4)));
   }
   return allocation;
+}
+
+const std::string* conditionOf(
+    const Records::Allocation& allocation,
+    SessionId session,
+    const std::string& block,
+    const std::string& label) {
+  int number = 0;
+  std::from_chars(label.data(), label.data() + label.size(), number);
+  const auto felt = allocation.find({session, block, number});
+  return felt == allocation.end() ? nullptr : &felt->second;
+}
+
+const std::string* chosenCondition(
+    const Records::Allocation& allocation,
+    const AnswerRecord& answer,
+    const questionnaires::Item* item,
+    const std::string& block) {
+  const auto* label = std::get_if<std::string>(&answer.answer.response);
+  const bool isVote = item != nullptr && label != nullptr &&
+                      item->optionSource == questionnaires::OptionSource::Alternatives;
+  return isVote ? conditionOf(allocation, answer.step.visit.session, block, *label) : nullptr;
 }
 
 }  // namespace study::storage

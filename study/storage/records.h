@@ -122,12 +122,29 @@ class Records {
     int label = 0;
     auto operator<=>(const Alternative&) const = default;
   };
+  using Allocation = std::map<Alternative, std::string>;
   /// The condition of every alternative in every session.
-  std::map<Alternative, std::string> allocation() const;
+  Allocation allocation() const;
 
  private:
   Database& database_;
   Conditions conditions_;
 };
+
+/// The condition of an alternative of a block, which an answer names by its label ("2"); nullptr if
+/// the session did not have it.
+const std::string* conditionOf(
+    const Records::Allocation& allocation,
+    SessionId session,
+    const std::string& block,
+    const std::string& label);
+
+/// The condition of the alternative of @p block that an answer chooses; nullptr if it chooses none.
+/// @param item  of the answer; nullptr if it is not known
+const std::string* chosenCondition(
+    const Records::Allocation& allocation,
+    const AnswerRecord& answer,
+    const questionnaires::Item* item,
+    const std::string& block);
 
 }  // namespace study::storage
