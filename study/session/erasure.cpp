@@ -39,15 +39,13 @@ void requireReason(Study& study, const ErasureRequest& request) {
     throw UserError("Say why, without a name: it stays in the audit trail (--reason \"…\").");
   }
   if (study.identities().isLocked()) return;
-  const auto words = wordsIn(request.reason);
   for (const auto& name : study.identities().names(request.participant)) {
-    for (const auto& word : wordsIn(name.text)) {
-      if (std::find(words.begin(), words.end(), word) == words.end()) continue;
-      throw UserError(
-          "'" + word +
-          "' is part of what is to be erased, and the reason stays in the audit "
-          "trail. Give a reason without it.");
-    }
+    const auto word = wordNaming(request.reason, name.text);
+    if (word.empty()) continue;
+    throw UserError(
+        "'" + word +
+        "' is part of what is to be erased, and the reason stays in the audit trail. Give a reason "
+        "without it.");
   }
 }
 

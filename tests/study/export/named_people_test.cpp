@@ -90,6 +90,26 @@ TEST(WordsOfNames, HaveNoCaseAndNoMarks) {
   EXPECT_TRUE(wordsIn("\xc3").empty()) << "half a letter";
 }
 
+TEST(WordsOfNames, MayBeWrittenWithoutMarks) {
+  EXPECT_EQ(wordsIn("Huebner Hübner Hubner"), (Words{"hubner", "hubner", "hubner"}));
+  EXPECT_EQ(
+      wordsIn("Oestby Østby, Haagensen Hågensen"),
+      (Words{"ostby", "ostby", "hagensen", "hagensen"}));
+  EXPECT_EQ(
+      wordsIn("Strauß Strauss, Bjærke Bjaerke"), (Words{"strauss", "strauss", "bjarke", "bjarke"}));
+}
+
+TEST(WordsOfNames, AreFoundAsTheyAreWritten) {
+  EXPECT_EQ(wordNaming("asked for by Huebner", "Hübner"), "Huebner");
+  EXPECT_EQ(wordNaming("asked for by Mueller.", "Anna Müller"), "Mueller");
+  EXPECT_EQ(wordNaming("Hübners letter", "Jo Hübner"), "Hübners");
+  EXPECT_EQ(wordNaming("ØSTBYS brev", "Østby"), "ØSTBYS");
+  EXPECT_EQ(wordNaming("Oestby", "Østby"), "Oestby");
+  EXPECT_EQ(wordNaming("a call by Bo", "Bo Ek"), "Bo");
+  EXPECT_EQ(wordNaming("annoyed, and board", "Ann Boa"), "") << "other words, of short names";
+  EXPECT_EQ(wordNaming("asked for it", "Anna Müller"), "");
+}
+
 TEST(WordsOfNames, AreOfThreeLettersOrOfTwoWithACapital) {
   EXPECT_EQ(wordsIn("Bo and Øy Li: bo in an øy, J. K."), (Words{"bo", "and", "oy", "li"}));
   EXPECT_EQ(wordsIn("Žo Źa ŽO, ža Ĺa ĺa"), (Words{"zo", "za", "zo", "la"}));

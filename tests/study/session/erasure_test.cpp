@@ -467,6 +467,8 @@ TEST_F(ErasureTest, IsRefusedWithAReason) {
   refused({.participant = "P001"});
   refused({.participant = "P001", .reason = "Beeblebrox wants it"});
   refused({.participant = "P001", .reason = "asked for by BEEBLEBROX, on the telephone"});
+  refused({.participant = "P001", .reason = "Beeblebrox's letter"});
+  refused({.participant = "P001", .reason = "the Beeblebroxes' letter"});
   {
     auto simulated = Session::enrol(*study_, {.cohort = "surgeons", .runMode = RunMode::Simulated});
     refused({.participant = simulated.participant(), .reason = "a reason"});
