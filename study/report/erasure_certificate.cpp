@@ -77,11 +77,13 @@ class CertificateRows {
   std::string searchResultIn(const std::vector<std::string>& files) const {
     const auto texts = certificate_.report.texts.size();
     const auto ignored = certificate_.report.texts.ignored();
-    const auto ofShort = ignored == 0 ? std::string()
-                                      : "; " + words_.count(
-                                                   ignored,
-                                                   "{} text is too short to be searched for",
-                                                   "{} texts are too short to be searched for");
+    const auto ofShort =
+        ignored == 0
+            ? std::string()
+            : "; " + words_.count(
+                         ignored,
+                         "{} text is too short to be searched for, or is in the protocol",
+                         "{} texts are too short to be searched for, or are in the protocol");
     if (texts == 0) return words_("nothing was written that could be searched for") + ofShort;
     const auto found =
         files.empty() ? words_("not found") : words_.say("FOUND in {}", base::joined(files, ", "));

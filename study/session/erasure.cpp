@@ -167,6 +167,18 @@ std::set<std::string> operatorTextsAbout(Study& study, const std::string& partic
   return texts;
 }
 
+/// Ignores what stays in the study with or without the participant: options of questions and other
+/// words of the protocol with its files, in all versions, and the reason of this erasure.
+void ignoreTextsThatStay(storage::ByteSearch& search, Study& study, const std::string& reason) {
+  search.ignorePartsOf(reason);
+  const auto protocols = study.protocols();
+  for (const auto id : protocols.all()) {
+    const auto protocol = protocols.load(id);
+    search.ignorePartsOf(protocol.text);
+    for (const auto& file : protocol.files) search.ignorePartsOf(file.text);
+  }
+}
+
 /// The texts by and about the participant that the erasure deletes.
 storage::ByteSearch textsOf(Study& study, const ErasureRequest& request) {
   storage::ByteSearch search;
@@ -175,13 +187,15 @@ storage::ByteSearch textsOf(Study& study, const ErasureRequest& request) {
       search.add(name.text, kShortestName);
     }
   }
-  if (!erasesAnswers(request.level)) return search;
-  for (const auto& text : storage::textsAbout(study.database(), request.participant)) {
-    search.add(text, kShortestText);
+  if (erasesAnswers(request.level)) {
+    for (const auto& text : storage::textsAbout(study.database(), request.participant)) {
+      search.add(text, kShortestText);
+    }
+    for (const auto& text : operatorTextsAbout(study, request.participant)) {
+      search.add(text, kShortestText);
+    }
   }
-  for (const auto& text : operatorTextsAbout(study, request.participant)) {
-    search.add(text, kShortestText);
-  }
+  ignoreTextsThatStay(search, study, request.reason);
   return search;
 }
 

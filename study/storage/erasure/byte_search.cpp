@@ -84,6 +84,10 @@ void ByteSearch::add(const std::string& text, std::size_t shortest) {
   }
 }
 
+void ByteSearch::ignorePartsOf(std::string_view text) {
+  ignored_ += std::erase_if(texts_, [&](const auto& part) { return text.find(part) != text.npos; });
+}
+
 bool ByteSearch::isIn(const Reader& read) const {
   std::size_t longest = 1;
   for (const auto& text : texts_) longest = std::max(longest, text.size());

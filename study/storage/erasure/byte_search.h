@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "study/storage/database.h"
@@ -45,9 +46,12 @@ class ByteSearch {
   /// @param shortest  [bytes]
   void add(const std::string& text, std::size_t shortest);
 
+  /// Ignores the texts that are part of @p text, which stays: finding them would say nothing.
+  void ignorePartsOf(std::string_view text);
+
   /// The number of texts to search for.
   std::size_t size() const noexcept { return texts_.size(); }
-  /// The number of texts that are too short to search for.
+  /// The number of texts that are not searched for: too short, or ignored by ignorePartsOf().
   std::size_t ignored() const noexcept { return ignored_; }
 
   /// The files below @p folder that contain one of the texts, as sorted paths relative to @p

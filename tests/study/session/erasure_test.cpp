@@ -119,6 +119,31 @@ TEST_F(ErasureTest, LeavesNothingThatTheParticipantWrote) {
   EXPECT_EQ(problemsOf(*study_), "");
 }
 
+TEST(Erasure, SearchesForNoWordsOfTheProtocol) {
+  // An option that was chosen and a comment that is a word of the protocol stay in study.db.
+  auto instrument = tests::everythingInstrument();
+  const std::string option = R"({"id": "y")";
+  instrument.replace(instrument.find(option), option.size(), R"({"id": "orthopaedic-resident")");
+  tests::MadeStudy study(
+      tests::protocolFrom(tests::protocolWithEverything(), {{"everything.json", instrument}}));
+  {
+    auto session = Session::enrol(*study, {.cohort = "surgeons"});
+    tests::walkTo(session, StepKind::Form);
+    int order = 0;
+    for (const auto& item : session.items()) {
+      auto answer = tests::answerTo(session, item, ++order);
+      if (item.id == "one") answer.response = "orthopaedic-resident";
+      if (item.id == "line") answer.response = "everything";
+      if (item.id == "story") answer.response = planted("a story");
+      session.record(answer);
+    }
+    session.pause("asked for it");
+  }
+  const auto report = erase(*study, {.participant = "P001", .reason = "asked for it by telephone"});
+  EXPECT_EQ(report.filesWithTexts, std::vector<std::string>());
+  EXPECT_EQ(report.texts.size(), 2U) << "the story and the name";
+}
+
 TEST_F(ErasureTest, LeavesNoReasonOfAnOperator) {
   eraseThem();
   using End = void (Session::*)(const std::string&);
