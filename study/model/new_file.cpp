@@ -101,7 +101,7 @@ std::filesystem::path makeFolderBeside(const std::filesystem::path& target) {
   std::error_code error;
   const auto parent = std::filesystem::absolute(target).parent_path();
   std::filesystem::create_directories(parent, error);
-  std::string name = (parent / (target.filename().string() + ".unfinished-XXXXXX")).string();
+  std::string name = (parent / (target.filename().string() + kUnfinished + "XXXXXX")).string();
   if (error || mkdtemp(name.data()) == nullptr) {
     const auto why = error ? error.message() : std::generic_category().message(errno);
     throw storage::StorageError(

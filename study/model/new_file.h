@@ -20,6 +20,9 @@ void writeNewFile(const std::string& path, const std::string& content);
 /// @throws storage::StorageError  if the file exists already or its folder cannot be written.
 void requireNewFile(const std::string& path);
 
+/// What makeFolderBeside() appends to the name of the target, before some random letters.
+constexpr const char* kUnfinished = ".unfinished-";
+
 /// A new empty folder beside @p target, for moveIntoPlace() when it is complete. Its owner alone
 /// can read it.
 /// @throws storage::StorageError  if it cannot be made.

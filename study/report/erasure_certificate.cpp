@@ -97,7 +97,7 @@ class CertificateRows {
   std::string outcomeOf(const ErasedCopy& copy) const {
     switch (copy.outcome) {
       case ErasedCopy::Outcome::Removed:
-        return words_("an export, removed");
+        return words_("removed");
       case ErasedCopy::Outcome::NotInCopy:
         return words_("was not in it") + "; " + searchResultIn(copy.filesWithTexts);
       case ErasedCopy::Outcome::Failed:

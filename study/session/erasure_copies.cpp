@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/file.h"
+#include "study/model/new_file.h"
 #include "study/model/study_files.h"
 #include "study/model/user_error.h"
 #include "study/session/unblinding.h"
@@ -97,6 +98,7 @@ ErasedCopy eraseFrom(
     Clock& clock,
     const std::vector<KnownCopy>& known) {
   ErasedCopy copy{.folder = folder.string()};
+  if (!fs::exists(folder)) throw UserError("There is no file or folder of this name.");
   if (fs::is_regular_file(folder)) {
     removeFile(folder, known);
     copy.outcome = ErasedCopy::Outcome::Removed;
@@ -139,6 +141,38 @@ KnownCopy::Content contentOf(Study& study, const fs::path& file, const std::stri
                                                       : KnownCopy::Content::Changed;
 }
 
+/// Whether both are the same file or folder, also if it was deleted.
+bool isSamePath(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored) ||
+         fs::absolute(a, ignored).lexically_normal() == fs::absolute(b, ignored).lexically_normal();
+}
+
+/// The folders that programs left beside @p copy because they were killed before it was complete.
+std::vector<fs::path> unfinishedFoldersOf(const fs::path& copy) {
+  std::vector<fs::path> folders;
+  std::error_code error;
+  const auto begin = copy.filename().string() + kUnfinished;
+  for (fs::directory_iterator entry(copy.parent_path(), error); !error && entry != fs::end(entry);
+       entry.increment(error)) {
+    if (entry->path().filename().string().starts_with(begin)) folders.push_back(entry->path());
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+/// Whether the copy may have data of sessions of @p mode.
+bool mayHold(const KnownCopy& copy, RunMode mode) {
+  return copy.runMode.empty() || copy.runMode == "all" || copy.runMode == nameOf(mode);
+}
+
+RunMode runModeOf(Study& study, const std::string& participant) {
+  for (const auto& row : study.sessions().all()) {
+    if (row.participant == participant) return row.runMode;
+  }
+  return RunMode::Live;
+}
+
 }  // namespace
 
 std::vector<KnownCopy> knownCopies(Study& study) {
@@ -146,13 +180,23 @@ std::vector<KnownCopy> knownCopies(Study& study) {
   std::error_code ignored;
   for (const auto& event : study.events().read()) {
     const auto folder = textIn(event, "folder");
-    if (folder.empty()) continue;
+    if (folder.empty() || isSamePath(folder, study.folder())) continue;
     copies.push_back(
         {.folder = folder,
          .what = std::string(event.name()),
          .madeUtc = asUtc(event.when.wall),
          .isPresent = fs::exists(folder, ignored),
-         .content = contentOf(study, folder, textIn(event, "fingerprint"))});
+         .content = contentOf(study, folder, textIn(event, "fingerprint")),
+         .runMode = textIn(event, "run_mode")});
+    for (const auto& unfinished : unfinishedFoldersOf(folder)) {
+      const bool isListed =
+          std::ranges::any_of(copies, [&](const auto& copy) { return copy.folder == unfinished; });
+      if (isListed) continue;
+      auto copy = copies.back();
+      copy.folder = unfinished.string();
+      copy.isPresent = true;
+      copies.push_back(std::move(copy));
+    }
   }
   const auto exports = study.folder() / "exports";
   if (!fs::is_directory(exports, ignored)) return copies;
@@ -170,10 +214,10 @@ std::vector<KnownCopy> knownCopies(Study& study) {
 std::vector<KnownCopy> copiesNotErased(
     Study& study, const std::vector<ErasedCopy>& done, const std::string& participant) {
   auto known = knownCopies(study);
+  const auto mode = runModeOf(study, participant);
   std::erase_if(known, [&](const KnownCopy& copy) {
-    return std::any_of(done.begin(), done.end(), [&](const ErasedCopy& other) {
-      std::error_code ignored;
-      return copy.folder == other.folder || fs::equivalent(copy.folder, other.folder, ignored);
+    return !mayHold(copy, mode) || std::ranges::any_of(done, [&](const ErasedCopy& other) {
+      return isSamePath(copy.folder, other.folder);
     });
   });
   for (const auto& event : study.events().read(EventKind::CopiedConsent)) {

@@ -23,10 +23,15 @@ struct KnownCopy {
     Unknown,  ///< not known for folders, and for files of a release that noted no fingerprint
   };
   Content content = Content::Unknown;
+  /// Name of the run mode of the sessions in an export or a report; empty for backups and exports
+  /// without an event, "all" for all. They have the data of no session of another run mode.
+  std::string runMode = {};
 };
 
-/// Backups, exports and reports that the audit trail lists, and the content of the folder `exports`
-/// in the study's folder. Copies that were moved are not found.
+/// Backups, exports and reports that the audit trail lists, the folders that programs left beside
+/// them when they were killed while copying, and the content of the folder `exports` in the study's
+/// folder. Not the study's folder itself, which may be a restored backup. Copies that were moved
+/// are not found.
 std::vector<KnownCopy> knownCopies(Study& study);
 
 /// The result of eraseFromCopy().
@@ -43,8 +48,8 @@ struct ErasedCopy {
   std::vector<std::string> filesWithTexts;
 };
 
-/// The known copies that are not in @p done, which also has those where an erasure failed, and the
-/// copies of the consent form of @p participant (recordConsentCopy()).
+/// The known copies that may have data of @p participant and are not in @p done, which also has
+/// those where an erasure failed, and the copies of the consent form (recordConsentCopy()).
 std::vector<KnownCopy> copiesNotErased(
     Study& study, const std::vector<ErasedCopy>& done, const std::string& participant);
 

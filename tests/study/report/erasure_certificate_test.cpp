@@ -39,7 +39,7 @@ TEST(ErasureCertificate, TellsWhatWasErasedAndWhatIsLeft) {
         "asked for it",
         "1 text was searched for in every byte: not found",
         "/disk/monday: erased",
-        "/disk/table: an export, removed",
+        "/disk/table: removed",
         "/disk/other: NOT ERASED. It is another.",
         "/gone, of 2026-11-21 (not there any more)",
         "the consent form, of 2026-11-22; where it was saved is not noted"}) {

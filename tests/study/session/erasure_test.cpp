@@ -439,6 +439,52 @@ TEST_F(CopiedStudy, ListsEachCopyThatWasMadeAndNotNamed) {
   EXPECT_EQ(listed({done}), (Copies{"exported table", "exported report.html", "copied_consent "}));
 }
 
+TEST_F(CopiedStudy, ListsWhatAKilledBackupLeft) {
+  const auto left = copy_ + ".unfinished-Xy12ab";
+  fs::rename(copy_, left);
+  eraseThem();
+  const auto copies = copiesNotErased(*study_, {}, "P001");
+  ASSERT_EQ(copies.size(), 2U);
+  EXPECT_FALSE(copies[0].isPresent);
+  EXPECT_EQ(copies[1].folder, left);
+  EXPECT_TRUE(copies[1].isPresent);
+}
+
+TEST_F(CopiedStudy, DoesNotListItself) {
+  eraseThem();
+  auto restored = Study::open(copy_, study_.clock);
+  for (const auto& copy : copiesNotErased(restored, {}, "P001")) EXPECT_NE(copy.folder, copy_);
+}
+
+TEST_F(CopiedStudy, ListsNoCopyThatWasNamedAndRemoved) {
+  const auto folder = fs::current_path();
+  const auto report = eraseThem();
+  fs::current_path(study_.scratch().path());
+  exportStudy(*study_, "table", {.runMode = RunMode::Live});
+  const auto removed = eraseFromCopy("table", report.listed, report.texts, study_.clock);
+  const auto absent = eraseFromCopy("nosuch", report.listed, report.texts, study_.clock);
+  const auto copies = copiesNotErased(*study_, {removed}, "P001");
+  fs::current_path(folder);
+  EXPECT_EQ(removed.outcome, ErasedCopy::Outcome::Removed);
+  EXPECT_EQ(absent.whyNot, "There is no file or folder of this name.");
+  ASSERT_EQ(copies.size(), 1U);
+  EXPECT_EQ(copies[0].folder, copy_);
+}
+
+TEST_F(CopiedStudy, ListsNoExportOfAnotherRunMode) {
+  exportStudy(*study_, study_.scratch() / "live", {.runMode = RunMode::Live});
+  exportStudy(*study_, study_.scratch() / "all", {});
+  const auto pilot = [&] {
+    return Session::enrol(*study_, {.cohort = "surgeons", .runMode = RunMode::Pilot}).participant();
+  }();
+  erase(*study_, {.participant = pilot, .reason = "asked for it"});
+  std::vector<std::string> names;
+  for (const auto& copy : copiesNotErased(*study_, {}, pilot)) {
+    names.push_back(fs::path(copy.folder).filename().string());
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"backup", "all"}));
+}
+
 TEST_F(ErasureTest, FingerprintsOfReportsTellNothingWithoutTheKeyOfTheStudy) {
   storage::Hasher open;
   open.add("the report of each order that can be");
