@@ -11,8 +11,8 @@
 
 #include "study/storage/answer_repository.h"
 #include "study/storage/events_of_release_0_1.h"
-#include "study/storage/keys/sealed_condition.h"
 #include "study/storage/named_rows.h"
+#include "study/storage/required_key.h"
 #include "study/storage/statement.h"
 #include "study/storage/stored_values.h"
 #include "study/storage/trial_repository.h"
@@ -75,7 +75,8 @@ struct ConditionCell {
   std::string in(const Statement& row, int open, int sealed, SessionId session, int step) const {
     if (wanted == Records::Conditions::LeftOut) return {};
     const auto bytes = row.blob(sealed);
-    return bytes.empty() ? row.text(open) : openCondition(database.key(), session, step, bytes);
+    return bytes.empty() ? row.text(open)
+                         : openCondition(requireKey(database), session, step, bytes);
   }
 };
 
@@ -298,7 +299,7 @@ std::vector<StoredTrial> Records::trials() const {
     fillIn(
         trial,
         isOpen ? presentValues(rowIn(select, measured, k + 5), measured)
-               : measuredIn(openMeasurements(database_.key(), trial.step.visit, sealed)));
+               : measuredIn(openMeasurements(requireKey(database_), trial.step.visit, sealed)));
   }
   return trials;
 }
@@ -325,7 +326,7 @@ std::vector<CutRecord> Records::cuts() const {
           " AS sealed FROM trial AS x) AS x WHERE sealed IS NOT NULL");
   while (sealed.step()) {
     const auto visit = readVisitKey(sealed);
-    const auto values = measuredIn(openMeasurements(database_.key(), visit, sealed.blob(3)));
+    const auto values = measuredIn(openMeasurements(requireKey(database_), visit, sealed.blob(3)));
     const auto count = storedValue<std::int64_t>(values, "cuts").value_or(0);
     for (int number = 1; number <= count; ++number) {
       cuts.push_back(cutIn(visit, number, values, prefixOfCut(number)));

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "study/model/named_value.h"
-#include "study/storage/keys/sealed_condition.h"
+#include "study/storage/required_key.h"
 #include "study/storage/statement.h"
 
 namespace study::storage {
@@ -309,7 +309,8 @@ std::vector<std::pair<int, std::string>> allocationOf(const Database& study, Ses
     const int step = static_cast<int>(select.number(0));
     const auto sealed = select.blob(2);
     result.emplace_back(
-        step, sealed.empty() ? select.text(1) : openCondition(study.key(), session, step, sealed));
+        step,
+        sealed.empty() ? select.text(1) : openCondition(requireKey(study), session, step, sealed));
   }
   return result;
 }

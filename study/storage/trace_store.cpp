@@ -10,7 +10,7 @@
 
 #include "study/model/messages.h"
 #include "study/storage/hasher.h"
-#include "study/storage/keys/sealed_condition.h"
+#include "study/storage/required_key.h"
 #include "study/storage/statement.h"
 
 namespace study::storage {
@@ -56,8 +56,7 @@ std::optional<std::string> opened(
     const std::vector<std::byte>& sealed,
     const VisitKey& visit,
     std::int64_t number) {
-  if (database.key() == nullptr) throw StorageError(adviceOnMissingKey("FOLDER", false));
-  return database.key()->open(sealed, placeOf(visit, number));
+  return requireKey(database).open(sealed, placeOf(visit, number));
 }
 
 /// The size of the samples of a chunk, unsealed [bytes].

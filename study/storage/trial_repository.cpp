@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "study/storage/keys/sealed_condition.h"
+#include "study/storage/required_key.h"
 #include "study/storage/statement.h"
 #include "study/storage/stored_values.h"
 
@@ -210,7 +210,7 @@ UnsealedTrialRows trialsOf(const Database& study, SessionId session) {
       std::ranges::copy(cutsIn(open, visit), std::back_inserter(rows.cuts));
       continue;
     }
-    const auto values = valuesIn(openMeasurements(study.key(), visit, sealed));
+    const auto values = valuesIn(openMeasurements(requireKey(study), visit, sealed));
     if (!values) refuseRows("a trial of it cannot be read");
     fillIn(trial, rows.cuts, *values);
   }

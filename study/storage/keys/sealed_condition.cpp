@@ -27,9 +27,8 @@ std::vector<std::byte> sealed(
 }
 
 std::string opened(
-    const SealingKey* key, const std::vector<std::byte>& bytes, const std::string& place) {
-  if (key == nullptr) throw StorageError(adviceOnMissingKey("FOLDER", false));
-  const auto padded = key->open(bytes, place);
+    const SealingKey& key, const std::vector<std::byte>& bytes, const std::string& place) {
+  const auto padded = key.open(bytes, place);
   if (!padded) {
     throw StorageError(
         "Which condition an alternative was, or what was measured, cannot be read: it was changed "
@@ -47,7 +46,7 @@ std::vector<std::byte> sealCondition(
 }
 
 std::string openCondition(
-    const SealingKey* key, SessionId session, int step, const std::vector<std::byte>& bytes) {
+    const SealingKey& key, SessionId session, int step, const std::vector<std::byte>& bytes) {
   return opened(key, bytes, placeOf(session, step));
 }
 
@@ -57,7 +56,7 @@ std::vector<std::byte> sealMeasurements(
 }
 
 std::string openMeasurements(
-    const SealingKey* key, const VisitKey& trial, const std::vector<std::byte>& bytes) {
+    const SealingKey& key, const VisitKey& trial, const std::vector<std::byte>& bytes) {
   return opened(key, bytes, placeOf(trial));
 }
 

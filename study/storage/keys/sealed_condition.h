@@ -17,11 +17,10 @@ namespace study::storage {
 std::vector<std::byte> sealCondition(
     const SealingKey& key, SessionId session, int step, std::string_view condition);
 
-/// @param key  the study's key; nullptr if it is not available
 /// @throws StorageError  if the condition was sealed with another key or for another step, or was
-///     changed; without a key, the error describes how to get it.
+///     changed.
 std::string openCondition(
-    const SealingKey* key, SessionId session, int step, const std::vector<std::byte>& sealed);
+    const SealingKey& key, SessionId session, int step, const std::vector<std::byte>& sealed);
 
 /// Seals the measurements of a trial (JSON of columns and values). The sealed size is the same for
 /// up to about 20 cuts.
@@ -30,7 +29,7 @@ std::vector<std::byte> sealMeasurements(
 
 /// As openCondition().
 std::string openMeasurements(
-    const SealingKey* key, const VisitKey& trial, const std::vector<std::byte>& sealed);
+    const SealingKey& key, const VisitKey& trial, const std::vector<std::byte>& sealed);
 
 /// Advice for the operator on how to get the missing key of a study.
 /// @param study  the study's folder, as typed in a command
