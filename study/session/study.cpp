@@ -1,6 +1,7 @@
 #include "study/session/study.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include <sodium.h>
@@ -59,7 +60,13 @@ Study Study::open(const fs::path& folder, Database::Access access) {
 
 Study Study::open(const fs::path& folder, Clock& clock, Database::Access access) {
   if (sodium_init() < 0) throw std::logic_error("libsodium does not start");
-  if (!fs::is_directory(folder)) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    if (error == std::errc::permission_denied) {
+      throw StorageError(
+          folder.string() + " cannot be read (" + error.message() +
+          "). Check who may read it and the folder that it is in.");
+    }
     throw StorageError(
         "There is no study in " + folder.string() +
         ". Make one with 'palpate study create', or check the folder's name.");
@@ -155,7 +162,8 @@ const storage::BlindingSecret* Study::secretFor(RunMode mode) {
 void Study::useKey(const storage::BlindingSecret& key) {
   if (key.commitment() != events().commitment()) {
     throw UserError(
-        "This is the key of another study. Take the one that was exported from " +
+        "This is the key of another study, or digits of it were changed. Take the one that was "
+        "exported from " +
         folder_.string() + " or from a copy of it.");
   }
   secret_ = key;

@@ -6,6 +6,7 @@
 #include "base/random.h"
 #include "study/model/new_file.h"
 #include "study/model/study_files.h"
+#include "study/model/user_error.h"
 #include "study/session/drawn_plan.h"
 #include "study/session/study.h"
 #include "study/storage/evidence/trail_signer.h"
@@ -23,6 +24,7 @@ using storage::StorageError;
 constexpr std::uintmax_t kLeastFreeSpace = 64 * 1024 * 1024;  // [bytes]: enough for a first session
 
 void makeFolder(const fs::path& folder) {
+  if (folder.empty()) throw UserError("The folder of the study has no name. Name one.");
   std::error_code error;
   if (fs::exists(folder, error)) {
     throw StorageError(

@@ -57,6 +57,12 @@ std::int64_t pragmaNumber(const Database& database, const std::string& name) {
   return statement.step() ? statement.number(0) : 0;
 }
 
+/// Whether there is nothing in the file, as in one of 0 bytes.
+bool isEmpty(const Database& database) {
+  Statement any(database, "SELECT 1 FROM sqlite_schema");
+  return !any.step();
+}
+
 /// SQLite's busy handler: waits while another program writes; returns 0 to give up. SQLite's own
 /// handler waits longer each time, up to 0.1 s, and finds the file busy every time while two other
 /// stations write without a pause. The clock decides, because a pause is longer where many programs
@@ -127,9 +133,12 @@ Database Database::create(const std::string& path, const Schema& schema) {
 
 Database Database::open(const std::string& path, const Schema& schema, Access access) {
   namespace fs = std::filesystem;
+  std::error_code error;
   std::error_code ignored;
-  if (!fs::exists(path, ignored)) {
-    throw StorageError("There is no file " + path + ". Is this the folder of a study?");
+  if (!fs::exists(path, error)) {
+    if (!error) throw StorageError("There is no file " + path + ". Is this the folder of a study?");
+    throw StorageError(
+        path + " cannot be read (" + error.message() + "). Check who may read it and its folder.");
   }
   try {
     return openWithReading(path, schema, access, Reading::SharedLocks);
@@ -197,6 +206,13 @@ void Database::requireApplicationId(const Schema& schema) const {
         StorageError::Kind::Damaged);
   }
   const std::string name(schema.name);
+  if (id == 0 && version == 0 && isEmpty(*this)) {
+    throw StorageError(
+        path_ +
+            " is empty: it was lost, or not finished when it was made. Restore it from a copy; if "
+            "the folder is new and there is none, remove the folder and make the study again.",
+        StorageError::Kind::Damaged);
+  }
   if (id != schema.applicationId) {
     throw StorageError(
         path_ + " is a database, but not " + name + ". Choose the folder of a study.",

@@ -1,10 +1,13 @@
 #include "study/storage/database.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
+#include "study/model/user_error.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 #include "tests/study/made_study.h"
@@ -172,9 +175,11 @@ TEST_F(OpeningTest, AFileThatIsNoDatabase) {
 
 TEST_F(OpeningTest, AnEmptyFile) {
   fs::resize_file(study_.file("study.db"), 0);
-  const auto refusal = opening();
-  EXPECT_EQ(refusal.kind, Kind::Damaged);
-  expectClear(refusal, "not a palpate study");
+  for (const auto access : {Access::ReadWrite, Access::ReadOnly}) {
+    const auto refusal = opening(access);
+    EXPECT_EQ(refusal.kind, Kind::Damaged);
+    expectClear(refusal, "Restore it from a copy");
+  }
 }
 
 TEST_F(OpeningTest, ATruncatedFile) {
@@ -208,6 +213,20 @@ TEST_F(OpeningTest, AnUnfinishedStudy) {
   const auto refusal = opening();
   EXPECT_EQ(refusal.kind, Kind::Damaged);
   expectClear(refusal, "was not finished when it was made");
+}
+
+TEST_F(OpeningTest, AFolderThatMayNotBeRead) {
+  constexpr uid_t kNobody = 65534;
+  const auto own = geteuid();
+  fs::permissions(study_.scratch().path(), fs::perms::none);
+  if (own == 0) ASSERT_EQ(seteuid(kNobody), 0) << "root may read everything";
+  const auto folder = opening();
+  const auto file =
+      refusalOf([&] { Database::open(study_.file("study.db"), studySchema(), Access::ReadOnly); });
+  if (own == 0) ASSERT_EQ(seteuid(own), 0);
+  fs::permissions(study_.scratch().path(), fs::perms::owner_all);
+  expectClear(folder, "Permission denied");
+  expectClear(file, "Permission denied");
 }
 
 TEST_F(OpeningTest, AStudyWithoutItsTraces) {
@@ -252,6 +271,7 @@ TEST(Study, IsNeverMadeInAnExistingFolder) {
   const auto refusal = refusalOf([&] { Study::create(folder / "study", protocol, clock); });
   expectClear(refusal, "is there already");
   EXPECT_EQ(tests::contentOf(folder / "study/notes.txt"), "mine");
+  EXPECT_THROW(Study::create("", protocol, clock), UserError);
   folder.write("file", "mine");
   expectClear(refusalOf([&] { Study::create(folder / "file", protocol, clock); }), "is there");
   expectClear(
