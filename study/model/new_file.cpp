@@ -103,9 +103,11 @@ std::filesystem::path makeFolderBeside(const std::filesystem::path& target) {
   std::filesystem::create_directories(parent, error);
   std::string name = (parent / (target.filename().string() + kUnfinished + "XXXXXX")).string();
   if (error || mkdtemp(name.data()) == nullptr) {
-    const auto why = error ? error.message() : std::generic_category().message(errno);
+    const int code = error ? error.value() : errno;
     throw storage::StorageError(
-        "Could not make the folder " + target.string() + " (" + why + "). Choose another place.");
+        "Could not make the folder " + target.string() + " (" +
+        std::generic_category().message(code) +
+        (code == ENAMETOOLONG ? "). Choose a shorter name." : "). Choose another place."));
   }
   return name;
 }

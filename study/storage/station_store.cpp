@@ -100,7 +100,11 @@ fs::path StationStore::defaultFolder() {
 
 StationStore StationStore::openOrCreate(const fs::path& folder) {
   if (auto found = find(folder)) return std::move(*found);
-  if (folder.empty()) fail(folder, "this account has no home folder; PALPATE_STATION names one");
+  if (folder.empty()) {
+    throw StorageError(
+        "This account has no home folder (the variable HOME is empty), so that the station's own "
+        "folder has no place. Set HOME, or name that folder in the variable PALPATE_STATION.");
+  }
   makeFolder(folder);
   makeKey(folder);
   return StationStore(folder);
