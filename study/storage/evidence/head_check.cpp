@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "study/model/event_kind.h"
+#include "study/words/counted.h"
 
 namespace study::storage {
 namespace {
@@ -105,18 +106,18 @@ Findings checkHeads(
   addMissing(trail, missing, findings);
   if (givenUp > 0) {
     findings.remarks.push_back(
-        std::to_string(givenUp) +
-        " noted heads were given up when an older copy was put back (event restored_copy)");
+        words::counted(givenUp, "noted head was", "noted heads were") +
+        " given up when an older copy was put back (event restored_copy)");
   }
   if (before > 0) {
     findings.remarks.push_back(
-        std::to_string(before) +
-        " noted heads are of the trail before it was sealed again (event resealed_trail)");
+        words::counted(before, "noted head is", "noted heads are") +
+        " of the trail before it was sealed again (event resealed_trail)");
   }
   if (later > 0) {
     findings.remarks.push_back(
-        "an older copy: " + std::to_string(later) +
-        " heads were noted after its end. Whether an end was cut off cannot be told from that");
+        "an older copy: " + words::counted(later, "head was", "heads were") +
+        " noted after its end. Whether an end was cut off cannot be told from that");
   }
   return findings;
 }
@@ -150,8 +151,8 @@ Findings checkStation(
   }
   if (unsoundLines > 0) {
     findings.remarks.push_back(
-        std::to_string(unsoundLines) +
-        " lines of this station's list are not what it wrote, and were left out");
+        words::counted(unsoundLines, "line", "lines") +
+        " of this station's list left out: not what it wrote");
   }
   // A head is noted after its events were stored, so the list may have grown since.
   const auto since = ownHeads(trail, readRecordedHeads(station, trail.study()).heads).heads;
@@ -163,7 +164,11 @@ Findings checkStation(
   });
   if (unnoted > 0) {
     findings.remarks.push_back(
-        std::to_string(unnoted) + " heads that this station signed are not in its own list");
+        words::counted(
+            static_cast<std::uint64_t>(unnoted),
+            "head that this station signed is",
+            "heads that this station signed are") +
+        " not in its own list");
   }
   return findings;
 }

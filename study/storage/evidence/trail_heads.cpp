@@ -192,10 +192,13 @@ Findings TrailHeads::checkSignatures(const std::string& key) const {
   if (signedUpTo == 0) {
     findings.remarks.push_back("no station has signed anything of it yet");
   } else if (signedUpTo < lastEvent_) {
+    const auto last = std::to_string(lastEvent_);
     findings.remarks.push_back(
-        "events " + std::to_string(signedUpTo + 1) + " to " + std::to_string(lastEvent_) +
-        " are not signed yet: that happens at the end of a session, and for exports, reports and "
-        "backups");
+        (signedUpTo + 1 == lastEvent_
+             ? "event " + last + " is"
+             : "events " + std::to_string(signedUpTo + 1) + " to " + last + " are") +
+        " not signed yet: that happens at the end of a session, and for exports, reports and "
+        "backups, if no noted head is missing");
   }
   return findings;
 }
