@@ -1,9 +1,11 @@
 #include "study/app/command_options.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <string_view>
 
 #include "base/joined.h"
 #include "protocols/load_protocol.h"
@@ -105,6 +107,26 @@ void addWordingOption(CLI::App& command, std::string& wording) {
           "to 2.42)")
       ->check(CLI::IsMember({"apa", "vancouver"}))
       ->capture_default_str();
+}
+
+std::string asShellWord(const std::string& word) {
+  const auto isPlain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c >= 0x80 ||
+           std::string_view("/._-+=:,@%").find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, isPlain)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+void refuseNegativeSeeds(CLI::App& program) {
+  for (auto* command : program.get_subcommands({})) refuseNegativeSeeds(*command);
+  auto* seed = program.get_option_no_throw("--seed");
+  if (seed == nullptr) return;
+  seed->check([](const std::string& text) {
+    return text.starts_with('-') ? text + " is no seed: a whole number from 0 on" : std::string();
+  });
 }
 
 CLI::Validator fileEndingIn(const std::vector<std::string>& endings) {

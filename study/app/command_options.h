@@ -77,6 +77,14 @@ void addReportFolder(CLI::App& command, std::string& folder, const std::string& 
 /// Adds --wording, the style in which sentences report numbers.
 void addWordingOption(CLI::App& command, std::string& wording);
 
+/// A word of a command, as a shell reads it: in quotation marks if it has other characters than
+/// letters, digits and a few signs.
+std::string asShellWord(const std::string& word);
+
+/// Makes every option --seed of @p program and its commands refuse negative numbers, which would be
+/// read as large ones.
+void refuseNegativeSeeds(CLI::App& program);
+
 /// A validator for finite numbers from @p least to @p most. CLI::Range accepts "nan", which is
 /// neither below nor above a bound.
 inline CLI::Validator finiteRange(double least, double most) {

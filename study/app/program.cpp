@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "study/app/command_options.h"
 #include "study/app/command_reference.h"
 #include "study/app/commands.h"
 #include "study/session/study.h"
@@ -32,6 +33,7 @@ std::unique_ptr<CLI::App> makeProgram(Action& action) {
   addDeviceCommands(*program, action);
   addCollectCommand(*program, action);
   addBenchCommand(*program, action);
+  refuseNegativeSeeds(*program);
   return program;
 }
 

@@ -61,7 +61,7 @@ std::string keyAdviceOn(Study& study, const std::string& folder) {
       "Conditions are sealed, and this account has the only key. Before the first participant, "
       "keep "
       "a copy of it apart: palpate study key export {} --out key.txt --reason \"a copy\"\n",
-      folder);
+      asShellWord(folder));
 }
 
 /// The line on the station and site; empty for a study of one machine.
@@ -91,8 +91,8 @@ int create(const StudyArguments& options) {
       study.seed(),
       commitmentLineOf(study),
       keyAdviceOn(study, options.folder),
-      options.folder,
-      options.folder,
+      asShellWord(options.folder),
+      asShellWord(options.folder),
       plannedParticipants(protocol.protocol));
   return 0;
 }

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "study/app/command_options.h"
 #include "study/app/command_reference.h"
 #include "study/app/commands.h"
 #include "study/model/user_error.h"
@@ -26,6 +27,7 @@ std::unique_ptr<CLI::App> makeCollectProgram(Action& action) {
   addServerCommands(*program, action);
   addStationCommands(*program, action);
   addPullCommands(*program, action);
+  app::refuseNegativeSeeds(*program);
   return program;
 }
 

@@ -34,6 +34,8 @@ TEST(RefusedOptions, AreValuesThatCannotBeMeant) {
   expectRefused(
       {"stats", "test", "welch", "x.csv", "--group", "g", "--value", "x", "--level", "1"},
       {"1 lies outside 0.0001 to 0.9999"});
+  expectRefused({"study", "create", "x", "--protocol", "y", "--seed", "-1"}, {"-1 is no seed"});
+  expectRefused({"demo", "--seed", "-1"}, {"-1 is no seed"});
   expectRefused(
       {"study", "consent", "x", "--participant", "P001", "--out", "x.doc"},
       {"'x.doc' does not end in .html or .pdf"});
