@@ -31,7 +31,7 @@ struct StudyArguments {
   std::string participant;
   std::string devices;
   std::string runMode;
-  std::string language = "en";
+  std::string language;  ///< empty: en, or that of the session that goes on
   std::string takeOver;
   int participants = 0;
   std::optional<std::uint64_t> seed;
@@ -261,16 +261,19 @@ void addStudyCommands(CLI::App& program, Action& action) {
 
   auto [run, running] =
       add("run", "Run a session in the terminal, or resume an interrupted one", app::run);
-  run->add_option("--cohort", running.cohort, "Cohort of a new participant (default: the first)")
+  run->add_option(
+         "--cohort",
+         running.cohort,
+         "Cohort of a new participant (default: the first); one that contradicts the session to "
+         "resume is refused")
       ->type_name("NAME");
   run->add_option(
          "--participant", running.participant, "Participant code (default: the next free one)")
       ->type_name("CODE");
   run->add_option(
-         "--language",
-         running.language,
-         "Language of the texts, one of the protocol's: en, de, nb …")
-      ->capture_default_str();
+      "--language",
+      running.language,
+      "Language of the texts, one of the protocol's: en, de, nb … (default: en)");
   addRunModeOfSession(*run, running.runMode);
   run->add_option(
          "--devices",

@@ -15,6 +15,7 @@
 #include "haptics/devices/device.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/cohort/simulated_participant.h"
+#include "study/model/user_error.h"
 #include "study/session/trial_setup.h"
 #include "study/trial/hardware_device_set.h"
 #include "study/trial/live_trial.h"
@@ -298,10 +299,30 @@ class TerminalSession {
   std::unique_ptr<DeviceSet> deviceSet_;
 };
 
+/// @throws UserError  if an option was given that is not as in the session that would go on
+void requireSame(
+    const storage::SessionRow& row,
+    const char* option,
+    const std::string& given,
+    const std::string& present) {
+  if (given.empty() || given == present) return;
+  throw UserError(fmt::format(
+      "The session of {0} is not finished, and would go on; there, {1} is '{2}', not '{3}'. To go "
+      "on with it: --participant {0}, without {1}. For a new participant: --participant CODE, with "
+      "a code that is not taken.",
+      row.participant,
+      option,
+      present,
+      given));
+}
+
 std::optional<SessionId> unfinishedSessionOf(Study& study, const Enrolment& enrolment) {
   for (const auto& row : study.sessions().all()) {
     const bool isMeant = enrolment.code.empty() || row.participant == enrolment.code;
-    if (isMeant && row.runMode == enrolment.runMode && !isOver(row.state)) return row.id;
+    if (!isMeant || row.runMode != enrolment.runMode || isOver(row.state)) continue;
+    requireSame(row, "--cohort", enrolment.cohort, row.cohort);
+    requireSame(row, "--language", enrolment.language, row.language);
+    return row.id;
   }
   return std::nullopt;
 }
@@ -327,8 +348,9 @@ bool mayEnrol(Study& study, const Enrolment& enrolment) {
 
 int runInTerminal(
     Study& study, Enrolment enrolment, const std::string& deviceFile, const std::string& takeOver) {
-  if (enrolment.cohort.empty()) enrolment.cohort = study.protocol().protocol.cohorts.front().id;
   const auto open = unfinishedSessionOf(study, enrolment);
+  if (enrolment.cohort.empty()) enrolment.cohort = study.protocol().protocol.cohorts.front().id;
+  if (enrolment.language.empty()) enrolment.language = "en";
   if (!open && !mayEnrol(study, enrolment)) {
     fmt::print("No participant was enrolled.\n");
     return 1;

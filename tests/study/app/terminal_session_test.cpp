@@ -146,5 +146,21 @@ TEST_F(TerminalSessionTest, HasTheRequestedRunMode) {
   EXPECT_EQ(storage::Records(study_->database()).sessions().size(), 2U) << "the pilot goes on";
 }
 
+TEST_F(TerminalSessionTest, GoesOnWithNoSessionThatTheOptionsContradict) {
+  run("", "--cohort students --language de");
+  for (const std::string options : {"--cohort surgeons", "--language nb", "--language en"}) {
+    const auto refused = run("", options);
+    EXPECT_EQ(refused.status, 1) << options;
+    EXPECT_NE(refused.error.find("P001 is not finished"), std::string::npos) << refused.error;
+  }
+  for (const std::string options : {"", "--cohort students", "--language de"}) {
+    EXPECT_NE(run("", options).out.find("palpate study run' goes on"), std::string::npos);
+  }
+  EXPECT_EQ(storage::Records(study_->database()).sessions().size(), 1U);
+  run("", "--cohort surgeons --participant P007");
+  EXPECT_EQ(last().cohort, "surgeons");
+  EXPECT_EQ(last().language, "en");
+}
+
 }  // namespace terminal_session_test
 }  // namespace study
