@@ -61,7 +61,15 @@ int repeatErasures(const ErasureArguments& options) {
   for (const auto& erasure : erasures) {
     if (erasure.study != study.uuid()) continue;
     isOfThisStudy = true;
-    fmt::print("{} is erased from {}.\n", erasure.participant, options.folder);
+    const bool isThere = study.sessions().enrolledUtc(erasure.participant) == erasure.enrolledUtc;
+    if (isThere) {
+      fmt::print("{} is erased from {}.\n", erasure.participant, options.folder);
+    } else {
+      fmt::print(
+          "{} does not have the participant {} of the certificate. Nothing was changed.\n",
+          options.folder,
+          erasure.participant);
+    }
   }
   if (!isOfThisStudy)
     throw UserError(options.certificateToRepeat + " is of another study. Nothing was changed.");
