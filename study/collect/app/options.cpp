@@ -22,6 +22,19 @@ CLI::Option* addServerOption(CLI::App& command, std::string& server) {
       ->envname("PALPATE_SERVER");
 }
 
+Connection connectionTo(const std::string& server, const std::string& advice) {
+  try {
+    return Connection(server);
+  } catch (const ServerError& error) {
+    if (!server.empty()) throw;
+    throw ServerError(
+        error.kind(),
+        std::string(error.what()) +
+            "\nNeither --server nor the variable PALPATE_SERVER says where the server is." +
+            advice);
+  }
+}
+
 // NOLINTBEGIN(concurrency-mt-unsafe): the program has one thread
 StationFolderOverride::StationFolderOverride(const std::filesystem::path& folder) {
   if (const char* before = std::getenv(kAccountVariable)) before_ = before;

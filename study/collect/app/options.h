@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "study/collect/server/connection.h"
+
 namespace CLI {
 class App;
 class Option;
@@ -13,6 +15,11 @@ namespace study::collect {
 
 /// --server, with a default from the environment variable PALPATE_SERVER.
 CLI::Option* addServerOption(CLI::App& command, std::string& server);
+
+/// Connects to the server of addServerOption().
+/// @param advice  added to the error where none was named and none can be reached
+/// @throws ServerError
+Connection connectionTo(const std::string& server, const std::string& advice = {});
 
 /// Sets the station's own folder (PALPATE_STATION) while this object exists, so that one computer
 /// can act as several stations, or as one whose data are removed afterwards.

@@ -50,7 +50,7 @@ bool printProblems(const PullResult& pulled) {
 
 int pullStudy(const PullArguments& arguments) {
   SystemClock clock;
-  Connection server(arguments.server);
+  auto server = connectionTo(arguments.server);
   const auto pulled = pull(
       server,
       {.study = arguments.study, .folder = arguments.folder, .reason = arguments.reason},
@@ -64,11 +64,11 @@ int pullStudy(const PullArguments& arguments) {
     erased += station.erased;
   }
   fmt::print(
-      "{} has {} of {}, {} events, {:.1f} MB of samples{}.\n",
+      "{} has {} of {}, {}, {:.1f} MB of samples{}.\n",
       arguments.folder,
       words::counted(pulled.sessions(), "session"),
       words::counted(pulled.stations.size(), "station"),
-      events,
+      words::counted(static_cast<std::uint64_t>(events), "event"),
       static_cast<double>(traceBytes) / 1e6,
       erased == 0 ? "" : "; " + words::counted(erased, "session was", "sessions were") + " erased");
   const bool isSound = printProblems(pulled);
@@ -82,7 +82,7 @@ class TemporaryPull {
  public:
   explicit TemporaryPull(const PullArguments& arguments) : account_(folder_ / "account") {
     SystemClock clock;
-    Connection server(arguments.server);
+    auto server = connectionTo(arguments.server);
     pulled_ = pull(
         server, {.study = arguments.study, .folder = study(), .reason = arguments.reason}, clock);
   }
@@ -109,10 +109,10 @@ int checkStudy(const PullArguments& arguments) {
   const TemporaryPull all(arguments);
   for (const auto& station : all.pulled().stations) {
     fmt::print(
-        "{}  {}: {} events, {}\n",
+        "{}  {}: {}, {}\n",
         station.problems.empty() ? "PASS" : "FAIL",
         station.label,
-        station.events,
+        words::counted(static_cast<std::uint64_t>(station.events), "event"),
         words::counted(station.sessions, "session"));
   }
   return printProblems(all.pulled()) ? 0 : 1;

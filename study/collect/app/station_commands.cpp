@@ -68,9 +68,29 @@ std::string arrivedInWords(const Arrivals& sessions) {
   return words;
 }
 
+/// Warns if what is recorded in this folder is not signed, so that no pull takes it.
+void warnOfOlderCopy(Outbox& outbox, const std::string& folder) {
+  const auto missing = outbox.missingHeads();
+  if (missing == 0) return;
+  fmt::print(
+      stderr,
+      "{} is an older copy: this station has signed {} of it that {} not there. New sessions in it "
+      "are not signed, and 'pull' leaves them out. Put the newest copy back. If there is none: "
+      "palpate study restored {} --reason \"…\", then push.\n",
+      folder,
+      words::counted(missing, "state"),
+      missing == 1 ? "is" : "are",
+      app::asShellWord(folder));
+}
+
+bool isOtherTrail(const ServerAnswer& refusal) {
+  return refusal.refused == "fork" || refusal.refused == "older_copy";
+}
+
 int bundleStudy(const StationArguments& arguments) {
   SystemClock clock;
   Outbox outbox(arguments.folder, clock);
+  warnOfOlderCopy(outbox, arguments.folder);
   const auto station = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
   const auto after = arguments.afterEvent >= 0
                          ? arguments.afterEvent
@@ -78,12 +98,12 @@ int bundleStudy(const StationArguments& arguments) {
   const auto bundle = writeBundle(
       outbox, station, serverSettingsOf(arguments.folder).bundleKey, after, arguments.out);
   fmt::print(
-      "{} has events {} to {}, {:.1f} MB, sealed for the server's administrator. There: palpate "
+      "{} has {}, {:.1f} MB, sealed for the server's administrator. There: palpate "
       "collect "
       "ingest {}\n",
       arguments.out,
-      bundle.first,
-      bundle.last,
+      bundle.first == bundle.last ? fmt::format("event {}", bundle.last)
+                                  : fmt::format("events {} to {}", bundle.first, bundle.last),
       static_cast<double>(bundle.bytes) / 1e6,
       arguments.out);
   return 0;
@@ -103,6 +123,7 @@ PushResult pushOutbox(const StationArguments& arguments, Outbox& outbox) {
 int pushStudy(const StationArguments& arguments) {
   SystemClock clock;
   Outbox outbox(arguments.folder, clock);
+  warnOfOlderCopy(outbox, arguments.folder);
   const auto note = [&](std::int64_t lastEventOnServer, std::string_view problem) {
     recordPush(
         outbox.study(),
@@ -127,11 +148,13 @@ int pushStudy(const StationArguments& arguments) {
   note(sent.lastEvent, {});
   fmt::print(
       "{}\n{}\n",
-      sent.lastEvent == sent.before ? std::string("The server has everything already.")
-                                    : fmt::format(
-                                          "{} new events sent, {:.1f} MB of samples.",
-                                          sent.lastEvent - sent.before,
-                                          static_cast<double>(sent.traceBytes) / 1e6),
+      sent.lastEvent == sent.before
+          ? std::string("The server has everything already.")
+          : fmt::format(
+                "{} sent, {:.1f} MB of samples.",
+                words::counted(
+                    static_cast<std::uint64_t>(sent.lastEvent - sent.before), "new event"),
+                static_cast<double>(sent.traceBytes) / 1e6),
       arrivedInWords(sent.sessions));
   for (const auto& receipt : sent.erased) {
     recordErasureReceipt(outbox.study(), outbox.station().uuid, receipt);
@@ -144,22 +167,29 @@ int pushStudy(const StationArguments& arguments) {
 int statusOfStation(const StationArguments& arguments) {
   SystemClock clock;
   Outbox outbox(arguments.folder, clock);
+  warnOfOlderCopy(outbox, arguments.folder);
   const auto noted = lastPush(outbox.study(), outbox.station().uuid);
   auto lastEventOnServer = noted.lastEvent;
   std::string reason;
+  ServerAnswer refusal{.refused = noted.problem};
   try {
     auto server = connectionFor(arguments);
     requireSchema(server);
     const auto answer = ingest(server, outbox.lastEventQuery());
-    if (answer.refused.empty()) {
-      lastEventOnServer = answer.lastEvent;
-    } else {
-      reason = wordsFor(answer);
-    }
+    refusal = answer.refused.empty() ? disagreementWith(answer, outbox) : answer;
+    if (answer.refused.empty()) lastEventOnServer = answer.lastEvent;
   } catch (const ServerError& error) {
     reason = error.what();
   }
-  fmt::print("{}\n", arrivedInWords(outbox.arrivalsBy(lastEventOnServer)));
+  const bool isRefused = isRefusal(refusal.refused);
+  const auto sessions = outbox.arrivalsBy(lastEventOnServer);
+  // Where the server has another trail, its number of events says nothing of the sessions here.
+  fmt::print(
+      "{}\n",
+      isOtherTrail(refusal) ? words::counted(static_cast<std::uint64_t>(sessions.all), "session") +
+                                  " here; which of them arrived is not known"
+                            : arrivedInWords(sessions));
+  if (isRefused) reason += (reason.empty() ? "" : "\n") + wordsFor(refusal);
   for (const auto& receipt : receiptsOf(outbox.study(), outbox.station().uuid)) {
     fmt::print("{}\n", wordsFor(receipt));
   }
@@ -191,20 +221,11 @@ void printIncidents(Connection& server) {
   }
 }
 
-Connection connectionOfAdministrator(const StationArguments& arguments) {
-  try {
-    return Connection(arguments.server);
-  } catch (const ServerError& error) {
-    if (!arguments.server.empty() || error.kind() != ServerError::Kind::Unreachable) throw;
-    throw UserError(
-        std::string(error.what()) +
-        "\nFor the sessions of a station name the folder of its study: palpate collect status "
-        "FOLDER. For another server: --server.");
-  }
-}
-
 int statusOfServer(const StationArguments& arguments) {
-  auto server = connectionOfAdministrator(arguments);
+  auto server = connectionTo(
+      arguments.server,
+      " For the sessions of a station name the folder of its study: palpate collect status "
+      "FOLDER.");
   requireSchema(server);
   const auto stations = stationsOf(server, arguments.study);
   fmt::print(

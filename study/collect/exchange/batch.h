@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "study/session/arrivals.h"
@@ -68,6 +69,9 @@ struct ServerAnswer {
 
 /// Parses an answer. @throws storage::StorageError  for other text.
 ServerAnswer answerIn(const std::string& text);
+
+/// Whether @p name is that of a refusal, by the server or of an older copy (PushRefused).
+bool isRefusal(std::string_view name);
 
 /// The message on a refusal: what it means, and what to do.
 std::string wordsFor(const ServerAnswer& answer);

@@ -9,6 +9,7 @@
 
 #include "study/collect/exchange/batch.h"
 #include "study/session/arrivals.h"
+#include "study/session/backup.h"
 #include "study/session/study.h"
 
 namespace study::collect {
@@ -31,6 +32,11 @@ class Outbox {
   /// The numbers of all sessions, and of the sessions that have arrived at a server that has all
   /// events up to @p event.
   Arrivals arrivalsBy(std::int64_t event) { return study::arrivalsBy(study_, event); }
+
+  /// The number of heads of the audit trail that this station has noted and this folder lacks. If
+  /// there are any, it is an older copy, and what is recorded in it is not signed until that is
+  /// accepted (recordRestoredCopy()).
+  std::size_t missingHeads() { return headsMissingIn(study_); }
 
   /// The largest content of one batch. A batch whose transaction fails is sent again.
   struct Limits {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "study/collect/server/schema.h"
 #include "study/storage/hasher.h"
 #include "study/storage/protocol_repository.h"
@@ -17,22 +19,27 @@ namespace {
 /// was continued, and the server records an incident.
 void requireSameTrail(Outbox& outbox, Connection& server, const ServerAnswer& answer) {
   if (!answer.refused.empty()) throwRefusal(answer);
-  if (answer.lastEvent == 0) return;
-  if (answer.lastEvent <= outbox.lastEvent() && outbox.hashOf(answer.lastEvent) == answer.head)
-    return;
+  const auto problem = disagreementWith(answer, outbox);
+  if (problem.refused.empty()) return;
   const auto said =
       ingest(server, outbox.eventQuery(std::min(answer.lastEvent, outbox.lastEvent())));
-  if (!said.refused.empty()) throwRefusal(said);
-  throw PushRefused(
-      "older_copy",
-      "The server has " + std::to_string(answer.lastEvent) +
-          " events of this station, this folder only " + std::to_string(outbox.lastEvent()) +
-          ": it is an older copy. Put the newest copy back before anybody takes part; if there is "
-          "none, "
-          "ask for another enrolment and leave this folder as it is.");
+  throwRefusal(said.refused.empty() ? problem : said);
 }
 
 }  // namespace
+
+ServerAnswer disagreementWith(const ServerAnswer& answer, Outbox& outbox) {
+  const auto last = outbox.lastEvent();
+  if (answer.lastEvent > last) {
+    return {
+        .refused = "older_copy",
+        .detail = fmt::format("events: {} there, {} here", answer.lastEvent, last)};
+  }
+  if (answer.lastEvent == 0 || outbox.hashOf(answer.lastEvent) == answer.head) return {};
+  return {
+      .refused = "fork",
+      .detail = fmt::format("event {} is there with another hash", answer.lastEvent)};
+}
 
 ServerAnswer ingest(Connection& server, const Batch& batch) {
   const auto text = asText(batch);

@@ -44,6 +44,11 @@ class PushRefused : public UserError {
 PushResult push(
     Outbox& outbox, Connection& server, const std::function<void(const ServerAnswer&)>& sent = {});
 
+/// Whether the trail that the server has of a station is another one than in this folder: as a
+/// refusal ("fork", "older_copy"), or without one if it is the same.
+/// @param answer  to Outbox::lastEventQuery()
+ServerAnswer disagreementWith(const ServerAnswer& answer, Outbox& outbox);
+
 /// Sends one batch (the server's function ingest). @throws ServerError
 ServerAnswer ingest(Connection& server, const Batch& batch);
 

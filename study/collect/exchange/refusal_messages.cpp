@@ -1,4 +1,5 @@
 // Messages for the server's refusals. Their names are those of refuse() in the schema.
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -20,6 +21,11 @@ constexpr std::array kRefusals{
         "was copied to a second computer. Go on with the copy that sent last; for the other one "
         "ask for an enrolment of its own. Nothing was changed on the server, and both copies are "
         "as they were."},
+    Refusal{
+        "older_copy",
+        "The server has more of this station than this folder: it is an older copy. Put the newest "
+        "copy back before anybody takes part; if there is none, ask for another enrolment and "
+        "leave this folder as it is."},
     Refusal{
         "gap",
         "Something between what the server has and what was sent is missing. Push again: the "
@@ -56,6 +62,10 @@ constexpr std::array kRefusals{
 };
 
 }  // namespace
+
+bool isRefusal(std::string_view name) {
+  return std::ranges::any_of(kRefusals, [&](const auto& refusal) { return refusal.name == name; });
+}
 
 std::string wordsFor(const ServerAnswer& answer) {
   for (const auto& refusal : kRefusals) {

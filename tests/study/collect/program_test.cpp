@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "study/session/backup.h"
 #include "study/session/erasure.h"
 #include "tests/study/collect/collected_study_at.h"
 #include "tests/support/child_process.h"
@@ -52,7 +53,7 @@ TEST_F(CollectProgram, EnrolsByAMarkAndShowsWhatWasRefused) {
       "has the mark " + mark);
   expectWords(call({"join", file, folderOf("oslo"), "--mark", mark}), "is ready");
   const auto way = CollectProgram::way(database());
-  expectWords(call({"push", folderOf("oslo"), "--server", way}), "new events sent");
+  expectWords(call({"push", folderOf("oslo"), "--server", way}), "1 new event sent");
   expectWords(
       call({"revoke", "--study", "realism", "--station", "oslo", "--reason", "stolen"}), "");
   expectWords(call({"push", folderOf("oslo"), "--server", way}, 1), "stolen");
@@ -117,10 +118,68 @@ TEST_F(CollectProgram, ThatIsKilledAtASystemCallOfAPushLosesAndDoublesNothing) {
   EXPECT_EQ(incidents(), std::vector<std::string>());
 }
 
+TEST_F(CollectProgram, SaysThatAFolderIsAnOlderCopyAndCountsNothingOfAnother) {
+  namespace fs = std::filesystem;
+  addStation("oslo");
+  const auto folder = folderOf("oslo");
+  const auto newest = scratch_ / "newest";
+  const auto backup = scratch_ / "backup";
+  const auto onStation = [&](const std::string& command, int status) {
+    return call({command, folder, "--server", way(database())}, status, "account-oslo");
+  };
+  runSession("oslo");
+  fs::copy(folder, backup, fs::copy_options::recursive);
+  runSession("oslo");
+  fs::rename(folder, newest);
+  fs::rename(backup, folder);
+  expectWords(onStation("status", 0), folder + " is an older copy");
+  runSession("oslo");
+  const auto pushed = onStation("push", 0);
+  expectWords(pushed, "2 sessions here, 2 arrived");
+  expectWords(pushed, "palpate study restored " + folder);
+  expectWords(call({"check", "--reason", "to look"}, 1), "oslo: session 2 is left out");
+
+  fs::rename(folder, backup);
+  fs::rename(newest, folder);
+  for (const auto* command : {"status", "push", "status"}) {
+    const auto said = onStation(command, 1);
+    expectWords(said, "Two copies of this study's folder");
+    EXPECT_EQ(said.find("arrived,"), std::string::npos) << said;
+  }
+  expectWords(
+      call({"status", folder, "--server", "host=/nowhere"}, 1, "account-oslo"),
+      "2 sessions here; which of them arrived is not known");
+
+  fs::rename(folder, newest);
+  fs::rename(backup, folder);
+  {
+    const auto account = accountOf("oslo");
+    auto study = study::Study::open(folder, clock_);
+    EXPECT_GT(study::recordRestoredCopy(study, "a disk failed"), 0U);
+  }
+  EXPECT_EQ(onStation("push", 0).find("older copy"), std::string::npos);
+  expectWords(call({"check", "--reason", "to look"}), "PASS  oslo: ");
+}
+
+TEST_F(CollectProgram, NamesTheVariableOfTheServer) {
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"status"}, {"check", "--reason", "to look"}}) {
+    auto call = words;
+    call.insert(call.begin(), folder / "palpate-collect");
+    const auto finished = tests::run(call, {"PALPATE_SERVER=", "PGHOST=/nowhere"});
+    EXPECT_NE(finished.error.find("PALPATE_SERVER"), std::string::npos) << finished.error;
+  }
+}
+
 TEST_F(CollectProgram, SaysWhatTheServersLogIsMissing) {
   const auto protocol = scratch_.write("protocol.json", tests::shortProtocol());
   const std::vector<std::string> words{"init", "--study", "realism", "--protocol", protocol};
   EXPECT_EQ(call(words).find("log_line_prefix"), std::string::npos);
+  admin().execute("ALTER DATABASE " + database() + " SET log_statement = 'all'");
+  expectWords(call(words), "log_parameter_max_length = 0");
+  admin().execute("ALTER DATABASE " + database() + " SET log_parameter_max_length = 0");
+  EXPECT_EQ(call(words).find("log_parameter_max_length"), std::string::npos);
   admin().execute("ALTER DATABASE " + database() + " SET log_min_error_statement = 'panic'");
   expectWords(call(words), "log_line_prefix");
 }
