@@ -93,7 +93,7 @@ int init(const ServerArguments& arguments) {
         "Say what to make: a study (--protocol FILE --study NAME) or a station of it (--station "
         "FILE --site SITE --key KEY).");
   }
-  Connection server(arguments.server);
+  auto server = connectionTo(arguments.server);
   const int before = installSchema(server);
   if (before == 0) fmt::print("The server is ready: schema palpate, version {}.\n", newestSchema());
   if (before > 0 && before < newestSchema()) {
@@ -112,7 +112,7 @@ int init(const ServerArguments& arguments) {
 constexpr std::string_view kOwner = "palpate_owner";
 
 int revoke(const ServerArguments& arguments) {
-  Connection server(arguments.server);
+  auto server = connectionTo(arguments.server);
   withRole(server, kOwner, [&] {
     requireSchema(server);
     revokeStation(
@@ -123,10 +123,10 @@ int revoke(const ServerArguments& arguments) {
 }
 
 int setAside(const ServerArguments& arguments) {
-  Connection server(arguments.server);
-  withRole(server, kOwner, [&] {
+  auto server = connectionTo(arguments.server);
+  const bool wasRevoked = withRole(server, kOwner, [&] {
     requireSchema(server);
-    setAsideStation(
+    return setAsideStation(
         server, findStudy(server, arguments.study).uuid, arguments.station, arguments.reason);
   });
   fmt::print(
@@ -134,11 +134,17 @@ int setAside(const ServerArguments& arguments) {
       "push "
       "FOLDER, or palpate collect bundle FOLDER --after 0 --out FILE, sends all of it again.\n",
       arguments.station);
+  if (wasRevoked) {
+    fmt::print(
+        "'{0}' was shut out, and is let in again. If it is not to send anything: palpate collect "
+        "revoke --station {0} --reason \"…\".\n",
+        arguments.station);
+  }
   return 0;
 }
 
 int ingestFile(const ServerArguments& arguments) {
-  Connection server(arguments.server);
+  auto server = connectionTo(arguments.server);
   const auto ingested = withRole(server, kOwner, [&] {
     requireSchema(server);
     return ingestBundle(server, arguments.file);
@@ -234,7 +240,8 @@ void addServerCommands(CLI::App& program, Action& action) {
       program,
       action,
       "set-aside",
-      "Let a station send all its data again; the server keeps its earlier copy under another name",
+      "Let a station, also a revoked one, send all its data again; the server keeps its earlier "
+      "copy under another name",
       setAside);
   addStudyAndStation(*aside, setting);
   aside->add_option("--reason", setting.reason, "Reason for doing so; it is kept on the server")

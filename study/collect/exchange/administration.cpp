@@ -172,10 +172,19 @@ std::optional<std::string> logPrivacyProblem(Connection& server) {
   const bool hasErrors = level != "fatal" && level != "panic" && level != "log" &&
                          shown("log_min_messages") != "fatal" &&
                          shown("log_min_messages") != "panic";
+  const bool logsStatements = shown("log_statement") == "all" || shown("log_statement") == "mod" ||
+                              shown("log_min_duration_statement") != "-1" ||
+                              shown("log_min_duration_sample") != "-1" ||
+                              shown("log_transaction_sample_rate") != "0";
+  if (logsStatements && shown("log_parameter_max_length") != "0") {
+    return "This server logs statements with what stations send, content keys among it. In "
+           "postgresql.conf: log_parameter_max_length = 0.";
+  }
   if (namesRoles && hasErrors) return std::nullopt;
   return "What this server denies to a role is not in its log with the role's name and the "
          "statement. In postgresql.conf: log_line_prefix = '%m [%p] %q%u@%d %h ', log_min_messages "
-         "= warning, log_min_error_statement = error, log_connections = on.";
+         "= warning, log_min_error_statement = error, log_connections = on, "
+         "log_parameter_max_length = 0.";
 }
 
 EnrolledStation enrolStation(Connection& server, const EnrolmentRequest& request) {

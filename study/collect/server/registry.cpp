@@ -162,13 +162,16 @@ void revokeStation(
       before.text(0, 1)));
 }
 
-void setAsideStation(
+bool setAsideStation(
     Connection& server,
     const std::string& study,
     const std::string& label,
     const std::string& reason) {
+  const auto revoked = server.query(
+      "SELECT 1 FROM palpate.station WHERE study = $1 AND label = $2 AND revoked IS NOT NULL",
+      {study, label});
   const auto rows = server.query("SELECT palpate.set_aside($1, $2, $3)", {study, label, reason});
-  if (rows.text(0, 0) == "t") return;
+  if (rows.text(0, 0) == "t") return !revoked.isEmpty();
   throw UserError("There is no station named '" + label + "' in this study.");
 }
 

@@ -71,8 +71,9 @@ void revokeStation(
 
 /// Sets aside the data of a station that differ from what it recorded: the server keeps them under
 /// another name and no longer pulls them; the station sends everything again.
+/// @return  whether the station was revoked; it is let in again
 /// @throws UserError  if there is no such station.
-void setAsideStation(
+bool setAsideStation(
     Connection& server,
     const std::string& study,
     const std::string& label,

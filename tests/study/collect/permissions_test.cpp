@@ -249,7 +249,7 @@ TEST_F(Thief, IsSetAsideAndTheTrueStationGoesOn) {
   auto owner = admin();
   const auto id = study::collect::findStudy(owner, "short").uuid;
   study::collect::revokeStation(owner, id, "oslo", "the certificate was stolen");
-  study::collect::setAsideStation(owner, id, "oslo", "forged sessions");
+  EXPECT_TRUE(study::collect::setAsideStation(owner, id, "oslo", "forged sessions"));
   EXPECT_THROW(study::collect::setAsideStation(owner, id, "tromso", "none"), study::UserError);
   push("oslo");
   runSession("oslo");
