@@ -97,6 +97,34 @@ TEST_F(StudyCommands, BacksUpAStudyThatVerifiesAfterwards) {
   expectRefused({"study", "backup", study, "--out", copy}, kTheWorldSaidNo, {"is there already"});
 }
 
+TEST_F(StudyCommands, SayThatACopyDoesNotHaveTheParticipantOfACertificate) {
+  tests::MadeStudy study;
+  const auto copy = study.scratch() / "before";
+  const auto certificate = study.scratch() / "certificate.txt";
+  study.close();
+  EXPECT_EQ(palpate({"study", "backup", study.folder(), "--out", copy}).status, 0);
+  study.reopen();
+  study::Session::enrol(*study, {.cohort = "surgeons"});
+  study.close();
+  const auto erased = palpate(
+      {"study",
+       "erase",
+       study.folder(),
+       "--participant",
+       "P001",
+       "--reason",
+       "asked",
+       "--certificate",
+       certificate});
+  EXPECT_EQ(erased.status, 0) << erased.out << erased.error;
+  const auto repeated = palpate({"study", "erase", copy, "--by", certificate});
+  EXPECT_EQ(repeated.status, 0) << repeated.error;
+  EXPECT_NE(repeated.out.find("does not have the participant P001"), std::string::npos)
+      << repeated.out;
+  const auto original = palpate({"study", "erase", study.folder(), "--by", certificate});
+  EXPECT_NE(original.out.find("P001 is erased from"), std::string::npos) << original.out;
+}
+
 TEST_F(StudyCommands, WritesASelfContainedReport) {
   const auto study = made("punch-face-validity", 3);
   const std::string page = folder_ / "page.html";
