@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "analysis/data/csv_table.h"
@@ -81,31 +82,83 @@ void checkRoles(std::span<const DataColumn> columns, const ChosenColumns& chosen
   }
 }
 
-std::vector<ColumnsOfRole> columnsByRole(
-    const CsvTable& table, std::span<const DataColumn> columns, const ChosenColumns& chosen) {
-  checkRoles(columns, chosen);
-  std::vector<ColumnsOfRole> result;
-  std::size_t next = 0;
-  for (const auto& column : columns) {
-    ColumnsOfRole one{.column = &column, .columnIndices = {}};
-    const auto named = chosen.find(std::string(column.role));
-    if (named != chosen.end() && !named->second.empty()) {
-      for (const auto& name : named->second) one.columnIndices.push_back(table.columnIndex(name));
-    } else if (column.kind == Kind::Numbers) {
-      for (std::size_t i = 0; i < table.columns.size(); ++i) one.columnIndices.push_back(i);
-    } else if (column.isRequired) {
-      if (next >= table.columns.size()) {
-        throw base::UserError(
-            "the file has " + std::to_string(table.columns.size()) +
-            " columns, and the test needs " + optionsOf(columns));
-      }
-      one.columnIndices.push_back(next);
-    }
-    if (column.isRequired) ++next;
-    result.push_back(std::move(one));
-  }
-  return result;
+bool isNamed(const ChosenColumns& chosen, std::string_view role) {
+  const auto named = chosen.find(std::string(role));
+  return named != chosen.end() && !named->second.empty();
 }
+
+/// Which columns of the file are used for which role. Where options name all that are needed, no
+/// others are used. Otherwise a role without an option has the next column that no option names,
+/// an optional role the column of its own name, and none may be left over.
+class ColumnChoice {
+ public:
+  ColumnChoice(
+      const CsvTable& table, std::span<const DataColumn> columns, const ChosenColumns& chosen)
+      : table_(table), columns_(columns), chosen_(chosen), isUsed_(table.columns.size()) {
+    isChosenByOptions_ = std::ranges::all_of(columns, [&](const DataColumn& column) {
+      return !column.isRequired || isNamed(chosen, column.role);
+    });
+  }
+
+  std::vector<ColumnsOfRole> all() {
+    std::vector<ColumnsOfRole> roles;
+    for (const auto& column : columns_) roles.push_back({.column = &column, .columnIndices = {}});
+    for (auto& role : roles) useNamed(role);
+    for (auto& role : roles) {
+      if (!role.columnIndices.empty()) continue;
+      if (role.column->kind == Kind::Numbers) {
+        for (std::size_t i = 0; i < table_.columns.size(); ++i) use(role, i);
+      } else if (role.column->isRequired) {
+        use(role, nextUnused());
+      }
+    }
+    refuseUnused();
+    return roles;
+  }
+
+ private:
+  void use(ColumnsOfRole& role, std::size_t index) {
+    role.columnIndices.push_back(index);
+    isUsed_[index] = true;
+  }
+
+  void useNamed(ColumnsOfRole& role) {
+    if (isNamed(chosen_, role.column->role)) {
+      for (const auto& name : chosen_.at(std::string(role.column->role))) {
+        use(role, table_.columnIndex(name));
+      }
+    } else if (!role.column->isRequired && !isChosenByOptions_) {
+      const auto own = std::ranges::find(table_.columns, role.column->role);
+      const auto index = static_cast<std::size_t>(own - table_.columns.begin());
+      if (own != table_.columns.end() && !isUsed_[index]) use(role, index);
+    }
+  }
+
+  std::size_t nextUnused() const {
+    const auto next = std::ranges::find(isUsed_, false);
+    if (next != isUsed_.end()) return static_cast<std::size_t>(next - isUsed_.begin());
+    std::vector<DataColumn> required;
+    std::ranges::copy_if(columns_, std::back_inserter(required), &DataColumn::isRequired);
+    const auto count = table_.columns.size();
+    throw base::UserError(
+        "the file has " + std::to_string(count) + (count == 1 ? " column" : " columns") +
+        ", and the test needs " + optionsOf(required));
+  }
+
+  void refuseUnused() const {
+    const auto unused = std::ranges::find(isUsed_, false);
+    if (unused == isUsed_.end() || isChosenByOptions_) return;
+    throw base::UserError(
+        "column '" + table_.columns[static_cast<std::size_t>(unused - isUsed_.begin())] +
+        "' is not used: choose the test's columns with " + optionsOf(columns_));
+  }
+
+  const CsvTable& table_;
+  std::span<const DataColumn> columns_;
+  const ChosenColumns& chosen_;
+  std::vector<bool> isUsed_;
+  bool isChosenByOptions_ = false;
+};
 
 /// Reads lines into TestData.
 class TestDataReader {
@@ -259,7 +312,8 @@ ContingencyTable contingencyTableOf(const TestData& data, bool isSquare) {
 
 TestData readTestData(std::string_view csv, DataShape shape, const ChosenColumns& chosen) {
   const CsvTable table = readCsv(csv);
-  auto roles = columnsByRole(table, columnsOf(shape), chosen);
+  checkRoles(columnsOf(shape), chosen);
+  auto roles = ColumnChoice(table, columnsOf(shape), chosen).all();
   if (table.rows.empty()) throw base::UserError("the file has a header and no rows");
   const bool isGrouped = shape == DataShape::TwoGroups || shape == DataShape::Groups;
   const auto groupColumn =

@@ -31,8 +31,9 @@ struct DataColumn {
 
   std::string_view role;  ///< "group": the option --group names the column
   Kind kind = Kind::Number;
-  bool isRequired = true;  ///< true: without the option, the file's next column is used
-  std::string_view what;   ///< description in messages
+  /// Without the option: true: the file's next column is used; false: the column of this name.
+  bool isRequired = true;
+  std::string_view what;  ///< description in messages
 };
 
 /// The columns of a shape, in their default order in a file.
@@ -82,8 +83,12 @@ ContingencyTable contingencyTableOf(const TestData& data, bool isSquare);
 /// Reads a table of comma-separated values (see readCsv()) for a test. If semicolons separate the
 /// cells, decimal commas are accepted.
 ///
+/// Where options name all columns that the shape needs, no others are used. Otherwise the columns
+/// that no option names are used from left to right, and none may be left over.
+///
 /// @throws UserError  with a message for the operator: a column is missing or the shape does not
-///     use it, there are no rows, a cell is no number, or there are too few or too many groups.
+///     use it, a column is left over, there are no rows, a cell is no number, or there are too few
+///     or too many groups.
 TestData readTestData(std::string_view csv, DataShape shape, const ChosenColumns& chosen);
 
 }  // namespace analysis

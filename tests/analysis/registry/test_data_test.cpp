@@ -118,13 +118,13 @@ std::string errorOf(std::string_view csv, DataShape shape, const analysis::Chose
 }
 
 TEST(TestData, UsesColumnsInTheOrderOfTheFileByDefault) {
-  const auto pairs = readTestData("before,after,age\n1,2,30\n3,5,31\n", DataShape::Pairs, {});
+  const auto pairs = readTestData("before,after\n1,2\n3,5\n", DataShape::Pairs, {});
   EXPECT_EQ(pairs.values.at(0).name, "before");
   EXPECT_EQ(pairs.values.at(0).values, (Values{1.0, 3.0}));
   EXPECT_EQ(pairs.values.at(1).values, (Values{2.0, 5.0}));
   EXPECT_EQ(
       errorOf("x\n1\n", DataShape::Pairs, {}),
-      "the file has 1 columns, and the test needs --first, --second");
+      "the file has 1 column, and the test needs --first, --second");
 }
 
 TEST(TestData, LeavesOutALineWithAMissingCell) {
@@ -143,6 +143,41 @@ TEST(TestData, RefusesAColumnThatTheTestDoesNotUse) {
   EXPECT_EQ(
       errorOf("g,x,who\na,1,P1\n", DataShape::TwoGroups, {{"cluster", {"who"}}}),
       "the test does not use --cluster; it uses --group, --value");
+}
+
+TEST(TestData, RefusesAColumnThatIsLeftOver) {
+  EXPECT_EQ(
+      errorOf("before,after,age\n1,2,30\n", DataShape::Pairs, {}),
+      "column 'age' is not used: choose the test's columns with --first, --second");
+  EXPECT_EQ(
+      errorOf("who,g,x\nP1,a,1\n", DataShape::Groups, {{"group", {"g"}}}),
+      "column 'x' is not used: choose the test's columns with --group, --value");
+  EXPECT_EQ(
+      errorOf("x,y,people\na,b,3\n", DataShape::Categories, {}),
+      "column 'people' is not used: choose the test's columns with --first, --second, --count");
+  EXPECT_EQ(
+      errorOf(
+          "age,after,before\n30,2,1\n",
+          DataShape::Pairs,
+          {{"first", {"before"}}, {"second", {"after"}}}),
+      "no error");
+}
+
+TEST(TestData, UsesAnOptionalColumnOfTheFileByItsName) {
+  using Counts = std::vector<std::uint64_t>;
+  EXPECT_EQ(
+      readTestData("count,x,y\n5,a,a\n3,a,b\n", DataShape::Categories, {}).counts, (Counts{5, 3}));
+  EXPECT_EQ(readTestData("value,count\na,5\n", DataShape::Votes, {}).counts, Counts{5});
+  EXPECT_EQ(
+      readTestData("who,g,x,round\nP1,a,1,2\nP1,b,2,1\n", DataShape::Clusters, {})
+          .factor("round")
+          .levels,
+      (Names{"2", "1"}));
+}
+
+TEST(TestData, UsesNoColumnTwice) {
+  const auto groups = readTestData("x,g\n1,a\n2,b\n", DataShape::TwoGroups, {{"group", {"g"}}});
+  EXPECT_EQ(groups.values.at(0).values, Values{1.0});
 }
 
 TEST(TestData, CountsHowOftenNamesOccurTogether) {
