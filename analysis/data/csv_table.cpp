@@ -146,9 +146,10 @@ std::size_t CsvTable::columnIndex(std::string_view name) const {
   if (count == 1) {
     return static_cast<std::size_t>(std::ranges::find(columns, name) - columns.begin());
   }
+  const auto nearest = nearestName(name, columns);
   throw base::UserError(
       "there is no column '" + std::string(name) + "'; the columns are " + enumerated(columns) +
-      "; did you mean '" + nearestName(name, columns) + "'?");
+      (nearest ? "; did you mean '" + *nearest + "'?" : ""));
 }
 
 CsvTable readCsv(std::string_view text) {
@@ -174,11 +175,17 @@ CsvTable readCsv(std::string_view text) {
   return table;
 }
 
-std::string nearestName(std::string_view meant, std::span<const std::string> names) {
+std::optional<std::string> nearestName(std::string_view meant, std::span<const std::string> names) {
   const auto word = base::lowerCase(meant);
-  return *std::ranges::min_element(names, {}, [&](const std::string& name) {
-    return base::editDistance(word, base::lowerCase(name));
-  });
+  std::optional<std::string> nearest;
+  auto fewest = std::max<std::size_t>(2, word.size() / 3) + 1;
+  for (const auto& name : names) {
+    const auto edits = base::editDistance(word, base::lowerCase(name));
+    if (edits >= fewest || edits >= std::max(word.size(), name.size())) continue;
+    fewest = edits;
+    nearest = name;
+  }
+  return nearest;
 }
 
 std::string enumerated(std::span<const std::string> names) {

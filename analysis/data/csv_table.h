@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,9 +46,8 @@ CsvTable readCsv(std::string_view text);
 
 /// The name in @p names of which @p meant is most probably a misspelling: the name with the
 /// fewest edits between them (base::editDistance()), ignoring case; the first such name of several.
-///
-/// @param names  must not be empty.
-std::string nearestName(std::string_view meant, std::span<const std::string> names);
+/// std::nullopt if all need more than two edits and more than a third of the word.
+std::optional<std::string> nearestName(std::string_view meant, std::span<const std::string> names);
 
 /// The names as an English list, "'I', 'F' and 'K'"; only the first eight of more than eight.
 std::string enumerated(std::span<const std::string> names);

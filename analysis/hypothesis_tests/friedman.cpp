@@ -187,7 +187,12 @@ void addImanDavenport(FriedmanResult& result, const Ranking& ranking) {
 RankComparison comparisonOf(const Ranking& ranking, std::size_t first, std::size_t second) {
   const Int128 difference = ranking.doubledSums[first] - ranking.doubledSums[second];
   const Int128 size = difference < 0 ? -difference : difference;
-  RankComparison pair{.first = first, .second = second, .conoverT = {}, .conoverP = {}};
+  RankComparison pair{
+      .first = first,
+      .second = second,
+      .conoverT = {},
+      .conoverDegreesOfFreedom = {},
+      .conoverP = {}};
   pair.meanRankDifference = exactQuotient(difference, 2 * ranking.b).high;
 
   // q² = 3 d² / (b k (k + 1)), d the difference of doubled sums
@@ -205,6 +210,7 @@ RankComparison comparisonOf(const Ranking& ranking, std::size_t first, std::size
   if (residual > 0 && df > 0) {
     const DoubleDouble deviation = squareRoot(exactQuotient(2 * residual, df));
     pair.conoverT = (exactQuotient(difference, 1) / deviation).high;
+    pair.conoverDegreesOfFreedom = static_cast<double>(df);
     pair.conoverP = StudentDistribution(static_cast<double>(df)).twoSidedP(*pair.conoverT);
   }
   return pair;

@@ -33,6 +33,8 @@ struct RankComparison {
   double nemenyiLog10P = 0.0;  ///< defined even if p is too small for a double
 
   std::optional<double> conoverT;  ///< signed as the difference; std::nullopt if all blocks agree
+  /// (b − 1)(k − 1)
+  std::optional<double> conoverDegreesOfFreedom;
   std::optional<double> conoverP;  ///< two-sided, not yet corrected for the number of pairs
 };
 

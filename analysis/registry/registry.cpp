@@ -201,6 +201,7 @@ Rows conover(const TestData& data, const TestSettings&) {
   return rankComparisons(data, [](const RankComparison& pair) {
     TestRow row;
     row.statistic = {"t", pair.conoverT};
+    row.df = pair.conoverDegreesOfFreedom;
     row.p = pair.conoverP;
     return row;
   });
@@ -308,9 +309,11 @@ Rows clusterRobustRows(const TestData& data, const TestSettings& settings) {
   const auto group = data.factor(kGroup);
   const auto labels = data.names.at(1).values;
   const auto cluster = data.factor("cluster");
+  const auto round = data.factor("round");
   const auto fit = [&](const std::vector<std::string>& levels) {
     FixedEffects fixed(first(data).size());
     fixed.add(factorOf(kGroup, labels, levels));
+    if (round.levels.size() > 1) fixed.add(round);
     return clusterRobust(first(data), fixed, cluster);
   };
   const auto reasonForNone = fit(group.levels).reason;
@@ -442,9 +445,11 @@ const StatisticalTest& statisticalTest(std::string_view id) {
   if (found != kTests.end()) return *found;
   std::vector<std::string> ids;
   for (const auto& test : kTests) ids.emplace_back(test.id);
+  const auto nearest = nearestName(id, ids);
   throw base::UserError(
-      "There is no test '" + std::string(id) + "'; did you mean '" + nearestName(id, ids) +
-      "'? 'palpate stats test --list' lists all.");
+      "There is no test '" + std::string(id) + "'" +
+      (nearest ? "; did you mean '" + *nearest + "'?" : std::string(".")) +
+      " 'palpate stats test --list' lists all.");
 }
 
 std::vector<TestRow> computeTest(

@@ -15,15 +15,16 @@ TEST(NearestName, NeedsTheFewestEdits) {
   EXPECT_EQ(nearestName("scores", names), "score");
   EXPECT_EQ(nearestName("mehtod", names), "method");
   EXPECT_EQ(nearestName("COHORT", names), "cohort");
-  EXPECT_EQ(nearestName("", names), "score");
 }
 
 TEST(NearestName, IsTheFirstOfSeveral) {
-  EXPECT_EQ(nearestName("c", Names{"a", "b"}), "a");
+  EXPECT_EQ(nearestName("cat", Names{"bat", "rat"}), "bat");
 }
 
-TEST(NearestName, MayBeEmpty) {
-  EXPECT_EQ(nearestName("x", Names{""}), "");
+TEST(NearestName, IsNoneIfAllAreFarFromWhatWasMeant) {
+  EXPECT_EQ(nearestName("nosuch", Names{"welch", "conover"}), std::nullopt);
+  EXPECT_EQ(nearestName("x", Names{"a", ""}), std::nullopt);
+  EXPECT_EQ(nearestName("", Names{"score"}), std::nullopt);
 }
 
 TEST(Enumerated, JoinsNamesAsInASentence) {

@@ -77,6 +77,7 @@ TEST(FriedmanTest, KeepsConoversTBesideTheFOfTwoTreatments) {
   ASSERT_EQ(result.pairs.size(), 1U);
   const auto& pair = result.pairs.front();
   EXPECT_NEAR(std::pow(pair.conoverT.value(), 2), result.imanDavenportF.value(), 1e-13);
+  EXPECT_EQ(pair.conoverDegreesOfFreedom, static_cast<double>(result.blocks - 1));
   EXPECT_NEAR(pair.conoverP.value(), result.imanDavenportP.value(), 1e-14);
   EXPECT_LT(pair.conoverT.value(), 0.0);  // the second treatment ranks higher
 }

@@ -50,6 +50,9 @@ TEST(StatisticalTests, SuggestTheNearestNameForAnUnknownOne) {
       tests::complaintOf([] { analysis::statisticalTest("fischer_exact"); }),
       "There is no test 'fischer_exact'; did you mean 'fisher_exact'? 'palpate stats test --list' "
       "lists all.");
+  EXPECT_EQ(
+      errorOf([] { analysis::statisticalTest("nosuch"); }),
+      "There is no test 'nosuch'. 'palpate stats test --list' lists all.");
 }
 
 analysis::TestData dataFor(const StatisticalTest& test, std::string_view csv) {
@@ -104,6 +107,20 @@ TEST(StatisticalTests, GiveAReasonForAMissingLocationBesideAnExactP) {
   EXPECT_TRUE(rows[0].p);
   EXPECT_FALSE(rows[0].estimate.value);
   EXPECT_EQ(rows[0].reason.key(), "too_many_averages");
+}
+
+TEST(StatisticalTests, AdjustClusterRobustDifferencesForRounds) {
+  const auto& test = analysis::statisticalTest("cluster_robust");
+  const auto data = dataFor(
+      test,
+      "who,g,x,round\nP1,a,3,1\nP1,b,4,2\nP1,a,5,2\nP2,a,1,1\nP2,b,2,1\nP2,b,6,2\nP3,a,4,2\n"
+      "P3,b,3,1\nP4,b,7,2\nP4,a,2,1\nP5,a,3,2\nP5,b,4,1\n");
+  const auto row = computeTest(test, data, {}).at(0);
+  // R, from the formulas of Bell & McCaffrey: x ~ g + factor(round), clusters who; without the
+  // round the standard error is 0.951769
+  EXPECT_NEAR(row.estimate.value.value(), -1.333333333333, 1e-11);
+  EXPECT_NEAR(row.standardError.value(), 0.858133396877, 1e-11);
+  EXPECT_NEAR(row.df.value(), 3.584031017166, 1e-10);
 }
 
 TEST(StatisticalTests, RefuseDataOfAnotherKind) {
