@@ -47,15 +47,23 @@ Table shiftedValues(std::span<const std::vector<double>> table) {
   return shifted;
 }
 
-/// Σ (count · sum − total)² over @p sums.
-DoubleDouble squaresOf(
-    const std::vector<DoubleDouble>& sums, double count, const DoubleDouble& total) {
+/// The sum of squares of effects; makes them zero if rounding errors are all that they are.
+/// @param cells  by which the effects are multiplied. The values are of size one.
+DoubleDouble squaresOf(std::vector<DoubleDouble>& effects, double cells) {
+  const auto isNoise = [&](const DoubleDouble& effect) {
+    return isRoundingError(effect.high, cells);
+  };
+  if (std::ranges::all_of(effects, isNoise)) std::ranges::fill(effects, DoubleDouble());
   DoubleDouble squares;
-  for (const auto& sum : sums) {
-    const DoubleDouble effect = sum * count - total;
-    squares = squares + effect * effect;
-  }
+  for (const auto& effect : effects) squares = squares + effect * effect;
   return squares;
+}
+
+/// count · sum − total for each of @p sums.
+std::vector<DoubleDouble> effectsOf(
+    std::vector<DoubleDouble> sums, double count, const DoubleDouble& total) {
+  for (auto& sum : sums) sum = sum * count - total;
+  return sums;
 }
 
 }  // namespace
@@ -96,17 +104,18 @@ TwoWayLayout twoWayLayout(std::span<const std::vector<double>> table) {
     total = total + rowSums[i];
   }
 
-  layout.rowSquares = squaresOf(rowSums, rows, total) * columns;
-  layout.columnSquares = squaresOf(columnSums, columns, total) * rows;
+  auto rowEffects = effectsOf(rowSums, rows, total);
+  auto columnEffects = effectsOf(columnSums, columns, total);
+  layout.rowSquares = squaresOf(rowEffects, rows * columns) * columns;
+  layout.columnSquares = squaresOf(columnEffects, rows * columns) * rows;
   layout.residuals.reserve(layout.rows * layout.columns);
   for (std::size_t i = 0; i < layout.rows; ++i) {
     for (std::size_t j = 0; j < layout.columns; ++j) {
-      const DoubleDouble residual =
-          shifted[i][j] * (rows * columns) - rowSums[i] * rows - columnSums[j] * columns + total;
-      layout.residuals.push_back(residual);
-      layout.residualSquares = layout.residualSquares + residual * residual;
+      layout.residuals.push_back(
+          shifted[i][j] * (rows * columns) - rowSums[i] * rows - columnSums[j] * columns + total);
     }
   }
+  layout.residualSquares = squaresOf(layout.residuals, rows * columns);
   return layout;
 }
 

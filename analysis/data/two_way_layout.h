@@ -13,8 +13,8 @@ namespace analysis {
 ///     Σ (x − x̄)² = rowSquares + columnSquares + residualSquares
 ///
 /// Rows are participants or blocks, columns are conditions, items or raters. All sums are
-/// multiplied by (rows · columns)², and nothing is divided: if there is no spread, a sum is exactly
-/// 0.
+/// multiplied by (rows · columns)², and nothing is divided: if there is no spread, or none but
+/// rounding errors of the values (isRoundingError()), a sum is exactly 0.
 struct TwoWayLayout {
   std::size_t rows = 0;
   std::size_t columns = 0;

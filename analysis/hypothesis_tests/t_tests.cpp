@@ -147,6 +147,15 @@ std::vector<double> differencesOf(std::span<const double> x, std::span<const dou
   return differences;
 }
 
+/// Where all differences are the same up to rounding errors, makes them equal; zero if that is what
+/// they are.
+void makeEqualUpToRounding(std::vector<double>& differences, double size) {
+  const auto [least, greatest] = std::ranges::minmax(differences);
+  if (!isRoundingError(greatest - least, size)) return;
+  const double same = isRoundingError(differences.front(), size) ? 0.0 : differences.front();
+  std::ranges::fill(differences, same);
+}
+
 Reason whyUndefined(const Moments& differences) {
   if (differences.n == 0) return reason("no_pairs");
   if (differences.n == 1) return reason("one_pair");
@@ -172,7 +181,13 @@ void addTest(PairedTResult& result, const Moments& differences) {
 }  // namespace
 
 PairedTResult pairedTTest(std::span<const double> x, std::span<const double> y) {
-  const std::vector<double> values = differencesOf(x, y);
+  double size = 0.0;
+  for (const double value : x) size = std::max(size, std::abs(value));
+  for (const double value : y) size = std::max(size, std::abs(value));
+  return pairedTTest(differencesOf(x, y), size);
+}
+
+PairedTResult pairedTTest(std::vector<double> values, double size) {
   PairedTResult result;
   result.n = values.size();
   if (!std::ranges::all_of(values, isNumber)) {
@@ -180,6 +195,7 @@ PairedTResult pairedTTest(std::span<const double> x, std::span<const double> y) 
     return result;
   }
 
+  if (!values.empty()) makeEqualUpToRounding(values, size);
   const Moments differences = momentsOf(values);
   if (differences.n > 0) {
     result.meanDifference = toDouble(differences.mean, differences.exponent);

@@ -100,10 +100,16 @@ struct PairedTResult {
 /// The differences are computed as doubles, so that rank tests of them use the same numbers; their
 /// mean and variance are computed with 31 digits.
 ///
-/// The test is not defined for fewer than two pairs, nor for differences that are all the same.
+/// The test is not defined for fewer than two pairs, nor for differences that are all the same:
+/// that differ by rounding errors only (isRoundingError()).
 ///
 /// @throws std::invalid_argument  if there are not as many y as x, or a value is infinite or NaN.
 PairedTResult pairedTTest(std::span<const double> x, std::span<const double> y);
+
+/// The same test of differences that are already computed.
+///
+/// @param size  the largest magnitude of what they were computed from.
+PairedTResult pairedTTest(std::vector<double> differences, double size);
 
 /// The confidence interval of the mean difference at @p level, for instance 0.95; std::nullopt if
 /// the test is not defined or a limit is beyond what a double can hold.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace analysis {
@@ -112,6 +113,10 @@ DoubleDouble exactQuotient(Int128 numerator, Int128 denominator) {
   const auto high = static_cast<double>(quotient);
   const auto low = static_cast<double>(quotient - static_cast<Int128>(high));
   return scaled({high, low}, exponent);
+}
+
+bool isRoundingError(double number, double size) noexcept {
+  return std::abs(number) <= 8.0 * std::numeric_limits<double>::epsilon() * size;
 }
 
 std::optional<ScaledIntegers> commonUnitOf(std::span<const double> numbers) {

@@ -83,6 +83,11 @@ struct ScaledIntegers {
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 std::optional<ScaledIntegers> commonUnitOf(std::span<const double> numbers);
 
+/// Whether a number that was computed from values of at most this size may be nothing but their
+/// rounding errors: up to eight units in the last place of the size. Differences and residuals that
+/// are no farther apart count as equal.
+bool isRoundingError(double number, double size) noexcept;
+
 /// The numbers rounded to multiples of their common unit (see commonUnitOf()), so that values that
 /// should be equal are equal; unchanged if there is no common unit.
 /// @throws std::invalid_argument  if a value is infinite or NaN.

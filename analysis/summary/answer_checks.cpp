@@ -1,5 +1,7 @@
 #include "analysis/summary/answer_checks.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <vector>
@@ -129,9 +131,11 @@ std::optional<double> slopeOf(const MeansByPosition& row) {
   return products / squares;
 }
 
-/// Tests the mean of @p values against zero.
-PairedTResult testAgainstZero(const std::vector<double>& values) {
-  return pairedTTest(withoutRoundingNoise(values), std::vector<double>(values.size(), 0.0));
+/// The size of the scores, times their number: sums of this size leave rounding errors.
+double sizeOf(const AnswerTable& table) {
+  double size = 0.0;
+  for (const auto& answer : table.answers) size = std::max(size, std::abs(answer.score));
+  return size * static_cast<double>(table.answers.size());
 }
 
 /// Whether position and method are not confounded: some method came at more than one position.
@@ -155,6 +159,10 @@ PositionEffect positionEffect(const AnswerTable& table, double level) {
     for (const auto& [position, sum] : row) byPosition[position].push_back(sum.mean());
     if (const auto slope = slopeOf(row)) slopes.push_back(*slope);
   }
+  const double size = sizeOf(table);
+  const auto testAgainstZero = [&](const std::vector<double>& values) {
+    return pairedTTest(withoutRoundingNoise(values), size);
+  };
   PositionEffect effect;
   if (!table.answers.empty() && !isPositionUnconfounded(table)) {
     effect.slope.reason = reason("one_position_each");

@@ -30,6 +30,15 @@ TEST(TwoWayLayout, HasNoResidualsWhereRowsAndColumnsAddUp) {
   EXPECT_FALSE(twoWayLayout(table).rowSquares.isZero());
 }
 
+TEST(TwoWayLayout, TakesRoundingErrorsForNoSpread) {
+  const auto shifted = twoWayLayout(Table{{0.3, 0.1}, {0.6, 0.4}, {1.1, 0.9}, {2.3, 2.1}});
+  EXPECT_TRUE(shifted.residualSquares.isZero());
+  EXPECT_TRUE(shifted.residuals.front().isZero());
+  EXPECT_FALSE(shifted.columnSquares.isZero());
+  EXPECT_TRUE(twoWayLayout(Table{{0.1 + 0.2, 0.3}, {0.7, 0.8 - 0.1}}).columnSquares.isZero());
+  EXPECT_FALSE(twoWayLayout(Table{{1.0, 1.0 + 1e-13}, {1.0, 1.0}}).residualSquares.isZero());
+}
+
 TEST(TwoWayLayout, MayBeEmpty) {
   EXPECT_EQ(twoWayLayout(Table{}).rows, 0U);
   EXPECT_EQ(twoWayLayout(Table{{}, {}}).columns, 0U);

@@ -64,6 +64,22 @@ TEST(PairedT, IsUndefinedWithoutSpread) {
   EXPECT_EQ(equal.reason.key(), "pairs_equal");
 }
 
+TEST(PairedT, IsUndefinedWhereOnlyRoundingErrorsDiffer) {
+  const auto shifted = pairedTTest(Values{0.3, 0.6, 1.1, 2.3}, Values{0.1, 0.4, 0.9, 2.1});
+  EXPECT_EQ(shifted.t, INFINITY);
+  EXPECT_EQ(shifted.variance, 0.0);
+  EXPECT_FALSE(shifted.p.has_value());
+  EXPECT_EQ(shifted.reason.key(), "differences_same");
+  EXPECT_FALSE(equivalenceTest(shifted, {.lower = -0.2, .upper = 0.2}).p.has_value());
+
+  const auto equal = pairedTTest(Values{0.1 + 0.2, 0.7}, Values{0.3, 0.8 - 0.1});
+  EXPECT_FALSE(equal.t.has_value());
+  EXPECT_EQ(equal.meanDifference, 0.0);
+  EXPECT_EQ(equal.reason.key(), "pairs_equal");
+
+  EXPECT_TRUE(pairedTTest(Values{1.0, 1.0 + 1e-14}, Values{0.0, 0.0}).p.has_value());
+}
+
 TEST(PairedT, IsUndefinedForFewerThanTwoPairs) {
   EXPECT_EQ(pairedTTest(Values{}, Values{}).reason.key(), "no_pairs");
   const auto one = pairedTTest(Values{2.0}, Values{1.0});

@@ -41,6 +41,16 @@ TEST(PositionEffect, HasStudentsIntervalOfTheSlopes) {
   EXPECT_NEAR(effect.slopeInterval->high, 1.899614131812555, 1e-12);
 }
 
+TEST(PositionEffect, TakesRoundingErrorsForNoSlope) {
+  auto scores = table({{1, 2}, {1, 2}, {1, 2}, {1, 2}, {1, 2}, {1, 2}}, true);
+  for (auto& answer : scores.answers) answer.score += answer.method == 0 ? 0.1 : 1.0 / 3.0;
+  const auto effect = positionEffect(scores);
+  EXPECT_EQ(effect.slope.meanDifference, 0.0);
+  EXPECT_FALSE(effect.slope.p);
+  EXPECT_FALSE(effect.slopeInterval);
+  EXPECT_EQ(effect.slope.reason.key(), "pairs_equal");
+}
+
 TEST(PositionEffect, ReportsThatOrderAndMethodAreConfounded) {
   const auto effect = positionEffect(table({{2, 5}, {3, 7}, {4, 4}}, false));
   EXPECT_TRUE(effect.positions.empty());
