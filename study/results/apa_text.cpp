@@ -23,6 +23,13 @@ std::string formatLimit(double value) {
                                                       : withMinusSign(fmt::format("{:.1e}", value));
 }
 
+/// An odds ratio: two decimals, but two significant digits below 0.1, and as a limit from 1e5.
+std::string formatRatio(const std::optional<double>& ratio) {
+  if (!ratio || !(*ratio > 0.0) || *ratio >= 0.1) return ratio ? formatLimit(*ratio) : "–";
+  if (*ratio < 1e-4) return withMinusSign(fmt::format("{:.1e}", *ratio));
+  return rounded(ratio, 1 - static_cast<int>(std::floor(std::log10(*ratio))));
+}
+
 /// Writes the sentences of one language.
 class ApaWriter {
  public:
@@ -79,9 +86,9 @@ class ApaWriter {
   std::string ordinal(const analysis::TestRow& test, const protocols::Family& family) const {
     return words_.say(
         "ordinal mixed model: odds ratio {}, {:g} % CI {}, z = {}, {}",
-        rounded(test.effect.value, 2),
+        formatRatio(test.effect.value),
         100.0 * (1.0 - family.alpha),
-        formatInterval(test.effectInterval),
+        formatIntervalOfRatio(test.effectInterval),
         rounded(test.statistic.value, 2),
         formatRawAndAdjustedP(test, family));
   }
@@ -179,6 +186,14 @@ class ApaWriter {
 
   std::string formatInterval(const std::optional<analysis::Interval>& interval) const {
     return study::formatInterval(interval, wording_, words_);
+  }
+
+  std::string formatIntervalOfRatio(const std::optional<analysis::Interval>& interval) const {
+    if (!interval) return "–";
+    const auto low = formatRatio(interval->low);
+    const auto high = formatRatio(interval->high);
+    return wording_ == Wording::Vancouver ? words_.say("{} to {}", low, high)
+                                          : "[" + low + ", " + high + "]";
   }
 
   /// An interval in brackets: APA's "[0.41, 2.42]" as it is, Vancouver's "0.41 to 2.42" in

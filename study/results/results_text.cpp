@@ -30,6 +30,11 @@ class Writer {
 
   std::string all() {
     head();
+    const auto hasCompleted = [](const CohortFlow& flow) { return flow.completed > 0; };
+    if (!results_.flow.empty() && std::ranges::none_of(results_.flow, hasCompleted)) {
+      line("\nNobody has completed a session: there is nothing to compare yet.");
+      return text_;
+    }
     for (const auto& family : results_.families) {
       means(family);
       isPooled(profile_, family.family) ? writeAsPublished(family) : writeRecommended(family);
@@ -44,6 +49,16 @@ class Writer {
  private:
   void line(const std::string& words) { text_ += words + "\n"; }
 
+  /// "p = .021"; "P = 0.021".
+  std::string inWords(const std::optional<double>& p) const {
+    return formatPWithSymbol(p, {}, wording_);
+  }
+  /// "[0.41, 2.42]"; "(0.41 to 2.42)".
+  std::string inBrackets(const std::optional<analysis::Interval>& interval) const {
+    const auto limits = formatInterval(interval, wording_, {});
+    return wording_ == Wording::Vancouver && interval ? "(" + limits + ")" : limits;
+  }
+
   const std::string& titleOf(const std::string& condition) const {
     return protocol_.condition(condition)->title;
   }
@@ -52,6 +67,11 @@ class Writer {
   }
   const std::string& cohortTitle(const std::string& cohort) const {
     return protocol_.cohort(cohort)->title.in("en");
+  }
+
+  bool hasNobody(const CohortResult& cohort) const {
+    const auto flow = std::ranges::find(results_.flow, cohort.cohort, &CohortFlow::cohort);
+    return flow != results_.flow.end() && flow->completed == 0;
   }
 
   void head() {
@@ -116,10 +136,14 @@ class Writer {
         family.family.alpha,
         family.isConfirmatory("welch") ? "declared: confirmatory" : "exploratory"));
     for (const auto& cohort : family.cohorts) {
+      if (hasNobody(cohort)) {
+        line(cohortTitle(cohort.cohort) + ": nobody has completed a session");
+        continue;
+      }
       line(
           cohortTitle(cohort.cohort) +
           (cohort.comparisons.alphaPerTest
-               ? fmt::format(" (alpha per test {:.4f})", *cohort.comparisons.alphaPerTest)
+               ? fmt::format(" (alpha per test {})", rounded(cohort.comparisons.alphaPerTest, 4))
                : ""));
       for (const auto& row : cohort.comparisons.rows) {
         comparison(row, family.isConfirmatory("welch"));
@@ -147,6 +171,10 @@ class Writer {
               "what the protocol names now, " +
                   declaredInWords(family.family)));
     for (const auto& cohort : family.cohorts) {
+      if (hasNobody(cohort)) {
+        line(cohortTitle(cohort.cohort) + ": nobody has completed a session");
+        continue;
+      }
       line(fmt::format(
           "{}: {} who judged every method{}",
           cohortTitle(cohort.cohort),
@@ -177,7 +205,7 @@ class Writer {
                                "{}, {:g} % CI {} (ordinal mixed model)",
                                rounded(row.effect.value, 2),
                                100.0 * (1.0 - alpha),
-                               formatInterval(row.effectInterval))
+                               formatInterval(row.effectInterval, wording_, {}))
                          : "not defined: " + base::describe(row.reason)));
   }
 
@@ -190,7 +218,7 @@ class Writer {
             site.site,
             words::counted(site.test.n, "participant"),
             rounded(site.test.meanDifference, 2),
-            formatInterval(site.interval)));
+            inBrackets(site.interval)));
       }
       if (!row.pooled) {
         line("    not pooled: " + base::describe(row.reason));
@@ -198,10 +226,10 @@ class Writer {
       }
       writePooled("all sites", row.pooled->knappHartung);
       line(fmt::format(
-          "    heterogeneity: Q({}) = {}, p {}, I² = {:.0f} %, τ² = {} (DerSimonian–Laird: {})",
+          "    heterogeneity: Q({}) = {}, {}, I² = {:.0f} %, τ² = {} (DerSimonian–Laird: {})",
           row.pooled->sites - 1,
           rounded(row.pooled->q, 2),
-          withRelationSign(formatP(row.pooled->heterogeneityP)),
+          inWords(row.pooled->heterogeneityP),
           100.0 * row.pooled->reml.iSquared,
           rounded(row.pooled->reml.tauSquared, 3),
           rounded(row.pooled->derSimonianLaird.tauSquared, 3)));
@@ -212,11 +240,11 @@ class Writer {
 
   void writePooled(const std::string& which, const analysis::PooledEstimate& pooled) {
     line(fmt::format(
-        "    {}: {} {}, p {} (random effects, REML, Knapp–Hartung)",
+        "    {}: {} {}, {} (random effects, REML, Knapp–Hartung)",
         which,
         rounded(pooled.estimate, 2),
-        formatInterval(pooled.interval),
-        withRelationSign(formatP(pooled.p))));
+        inBrackets(pooled.interval),
+        inWords(pooled.p)));
   }
 
   /// The effect of the position in the order, and the reliability of the scale.
@@ -224,10 +252,10 @@ class Writer {
     const auto& slope = cohort.position.slope;
     line(
         slope.p ? fmt::format(
-                      "  Order: {} points from one position to the next {}, p {}",
+                      "  Order: {} points from one position to the next {}, {}",
                       rounded(slope.meanDifference, 2),
-                      formatInterval(cohort.position.slopeInterval),
-                      withRelationSign(formatP(slope.p)))
+                      inBrackets(cohort.position.slopeInterval),
+                      inWords(slope.p))
                 : "  Order: no slope over positions: " + base::describe(slope.reason));
     for (const auto& method : cohort.checks.methods) {
       std::string defined;
@@ -237,7 +265,7 @@ class Writer {
       if (method.alpha.value) add("Cronbach's α = " + rounded(method.alpha.value, 2));
       if (method.omega.value) add("ω = " + rounded(method.omega.value, 2));
       if (method.normality.p) {
-        add("Shapiro–Wilk p " + withRelationSign(formatP(method.normality.p)));
+        add("Shapiro–Wilk " + inWords(method.normality.p));
       }
       if (!defined.empty()) line("  Scale, " + titleOf(method.method) + ": " + defined);
     }
@@ -256,16 +284,16 @@ class Writer {
     const auto& ranks = row.test("mann_whitney");
     if (!ranks.p) return words + "not defined: " + base::describe(ranks.reason);
     words += fmt::format(
-        "U = {:g}, exact p {}, Cliff's δ = {} {}",
+        "U = {:g}, exact {}, Cliff's δ = {} {}",
         ranks.statistic.value.value_or(0.0),
-        withRelationSign(formatP(ranks.p)),
+        inWords(ranks.p),
         rounded(ranks.effect.value, 2),
-        formatInterval(ranks.effectInterval));
+        inBrackets(ranks.effectInterval));
     for (const auto& test : row.tests) {
       if (test.id == "mann_whitney" || !test.p) continue;
       const auto name =
           test.id == "brunner_munzel" ? std::string("Brunner–Munzel") : std::string(titleOf(test));
-      words += "; " + name + " p " + withRelationSign(formatP(test.p));
+      words += "; " + name + " " + inWords(test.p);
     }
     return words;
   }
@@ -277,12 +305,12 @@ class Writer {
       return;
     }
     words += fmt::format(
-        "difference {:>6}, t({}) = {:>6}, p {:<9} adjusted p {:<9}",
+        "difference {:>6}, t({}) = {:>6}, {:<11} adjusted {:<11}",
         rounded(row.estimate.value, 2),
         rounded(row.df, 2),
         rounded(row.statistic.value, 2),
-        withRelationSign(formatP(row.p)),
-        withRelationSign(formatP(row.adjusted)));
+        inWords(row.p),
+        inWords(row.adjusted));
     line(words + (isConfirmatory && row.isSignificant.value_or(false) ? " significant" : ""));
   }
 
@@ -311,7 +339,7 @@ class Writer {
           const bool isTested = p && vote->votes.total() > 1;
           line(
               votesInWords(title, "after " + vote->block, vote->votes) +
-              (isTested ? "exact p " + withRelationSign(formatP(p)) : ""));
+              (isTested ? "exact " + inWords(p) : ""));
         }
         if (cohort.rounds.size() > 1) line(votesInWords(title, "Sum", cohort.sum));
       }
@@ -340,7 +368,7 @@ class Writer {
             padded(cohortTitle(score.cohort) + (about.empty() ? "" : ", " + about), 44),
             rounded(score.mean, 2),
             score.standardDeviation
-                ? " " + rounded(score.standardDeviation, 2) + " " + formatInterval(score.interval)
+                ? " " + rounded(score.standardDeviation, 2) + " " + inBrackets(score.interval)
                 : std::string(),
             score.values.size()));
       }

@@ -316,6 +316,31 @@ TEST_F(PublishedStudyTest, IsPrintedInBothProfiles) {
   }
 }
 
+TEST_F(PublishedStudyTest, IsPrintedInOneStyle) {
+  const auto results = computeResults(*study_, RunMode::Live);
+  for (const auto profile : {Profile::AsPublished, Profile::Recommended}) {
+    const auto text = resultsAsText(*study_, results, profile, Wording::Vancouver);
+    for (const auto* ofApa : {" p = ", " p < ", " = .", " < .", " CI [", " δ = −0.42 ["}) {
+      EXPECT_EQ(text.find(ofApa), std::string::npos) << ofApa << "\n" << text;
+    }
+    EXPECT_NE(text.find(" P = 0."), std::string::npos) << text;
+  }
+}
+
+TEST_F(PublishedStudyTest, SaysInOneLineThatNobodyHasCompletedASession) {
+  auto results = computeResults(*study_, RunMode::Live);
+  results.flow.back().completed = 0;
+  EXPECT_NE(
+      resultsAsText(*study_, results, Profile::Recommended)
+          .find(": nobody has completed a session\n"),
+      std::string::npos);
+  for (auto& flow : results.flow) flow.completed = 0;
+  const auto text = resultsAsText(*study_, results, Profile::Recommended);
+  EXPECT_TRUE(
+      text.ends_with("\nNobody has completed a session: there is nothing to compare yet.\n"))
+      << text;
+}
+
 TEST_F(PublishedStudyTest, ShowsNoFlagsOfPooledTestsBesideADeclaredTestWithinPeople) {
   auto results = computeResults(*study_, RunMode::Live);
   const auto declared = [&] { return resultsAsText(*study_, results, Profile::Declared); };
