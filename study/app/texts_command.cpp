@@ -1,5 +1,4 @@
 // Lists and fills in the blanks in texts that participants read.
-#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -95,7 +94,7 @@ int listBlanks(const protocols::LoadedProtocol& loaded, bool json) {
   if (left > 0) {
     fmt::print(
         "By the timeline a session takes about {} minutes.\n",
-        std::lround(lengthOf(loaded, {}).seconds / 60.0));
+        minutesOf(lengthOf(loaded, {}).seconds));
   }
   return 0;
 }

@@ -257,6 +257,7 @@ StudyPlan planOf(const LoadedProtocol& loaded, const StudyPlanOptions& planOptio
   addVotes(study, protocol);
   study.length = lengthOf(loaded, planOptions.pace);
   for (const auto& device : protocol.devices) {
+    study.forceLimits.push_back(device.maxForce);
     study.largestForce = std::max(study.largestForce, device.maxForce);
   }
   return study;

@@ -131,7 +131,8 @@ struct StudyPlan {
   std::vector<FamilyPlan> families;
   std::vector<VotePlan> votes;
   SessionLength length;
-  double largestForce = 0.0;  ///< largest force limit of the study's devices [N]
+  std::vector<double> forceLimits;  ///< of each of the study's devices [N]
+  double largestForce = 0.0;        ///< largest of them [N]
 };
 
 StudyPlan planOf(const protocols::LoadedProtocol& loaded, const StudyPlanOptions& planOptions);

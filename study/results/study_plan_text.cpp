@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "analysis/planning/power.h"
+#include "study/results/apa_text.h"
 #include "study/results/study_plan.h"
 #include "study/words/counted.h"
 
@@ -17,7 +18,7 @@ using words::counted;
 std::string pText(double p) {
   if (p >= 0.99995) return "1";
   if (p < 0.0001) return fmt::format("{:.1e}", p);
-  return fmt::format("{:.4f}", p).substr(1);
+  return rounded(p, 4).substr(1);
 }
 
 std::string pText(const analysis::AttainableP& p) {
@@ -288,8 +289,8 @@ std::string votesText(const StudyPlan& plan) {
 
 std::string lengthText(const StudyPlan& plan) {
   const auto& pace = plan.planOptions.pace;
-  std::string text = fmt::format(
-      "\nA session lasts about {:.0f} minutes\n", std::ceil(plan.length.seconds / 60.0));
+  std::string text =
+      fmt::format("\nA session lasts about {} minutes\n", minutesOf(plan.length.seconds));
   for (const auto& part : plan.length.parts) {
     std::string of = counted(part.steps, "step");
     if (part.items > 0) of += ", " + counted(part.items, "item");
@@ -402,6 +403,17 @@ std::string conditionsInWords(const StudyPlan& plan) {
   return most > 1 ? words : "";
 }
 
+std::string devicesInWords(const StudyPlan& plan) {
+  std::string limits;
+  for (std::size_t i = 0; i < plan.forceLimits.size(); ++i) {
+    const auto* separator = i == 0 ? "" : i + 1 == plan.forceLimits.size() ? " and " : ", ";
+    limits += fmt::format("{}{:g} N", separator, plan.forceLimits[i]);
+  }
+  const bool isOne = plan.forceLimits.size() == 1;
+  return (isOne ? "the device, which is limited to " : "the devices, which are limited to ") +
+         limits;
+}
+
 }  // namespace
 
 std::vector<double> effectsToShow(const StudyPlan& plan) {
@@ -458,11 +470,11 @@ std::string ethicsParagraph(const StudyPlan& plan) {
   }
   for (const auto& family : plan.families) words += detectableInWords(plan, family);
   words += fmt::format(
-      " A session takes about {:.0f} minutes, of which about {:.0f} are spent touching the "
-      "device, which is limited to {:g} N. Participants may pause or stop at any time.",
-      std::ceil(plan.length.seconds / 60.0),
-      std::ceil(plan.length.secondsOnDevice / 60.0),
-      plan.largestForce);
+      " A session takes about {} minutes, of which about {} are spent touching {}. "
+      "Participants may pause or stop at any time.",
+      minutesOf(plan.length.seconds),
+      minutesOf(plan.length.secondsOnDevice),
+      devicesInWords(plan));
   return words;
 }
 

@@ -1,6 +1,7 @@
 #include "study/session/session_length.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "protocols/orders/schedule.h"
@@ -73,6 +74,10 @@ SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace
     length.secondsOnDevice += part.secondsOnDevice;
   }
   return length;
+}
+
+int minutesOf(double seconds) {
+  return static_cast<int>(std::ceil(seconds / 60.0));
 }
 
 }  // namespace study

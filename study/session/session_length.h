@@ -42,4 +42,7 @@ PartOfSession partOf(
 /// to have its minimum number of cuts, or one cut if the protocol gives no minimum.
 SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace);
 
+/// Whole minutes, rounded up, as people are told the length of a session.
+int minutesOf(double seconds);
+
 }  // namespace study

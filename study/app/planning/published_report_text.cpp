@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "study/app/planning/published_report.h"
+#include "study/results/apa_text.h"
 
 namespace study::app {
 namespace {
@@ -13,7 +14,7 @@ using analysis::PublishedTable;
 std::string shortP(double p) {
   if (p < 0.00005) return p == 0.0 ? "0" : "<.0001";
   if (p >= 0.99995) return "1";
-  return fmt::format("{:.4f}", p).substr(1);
+  return rounded(p, 4).substr(1);
 }
 
 std::string namesAndSizes(const PublishedTable& table, const analysis::GroupSizes& sizes) {

@@ -233,7 +233,7 @@ class PlanWriter {
     if (table.rows.empty()) return;
     table.rows.push_back(
         {words_("Total"),
-         fmt::format("{:.0f}", std::ceil(plan_.length.seconds / 60.0)),
+         std::to_string(minutesOf(plan_.length.seconds)),
          std::string(),
          std::string(),
          std::string()});

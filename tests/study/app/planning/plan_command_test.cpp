@@ -36,7 +36,7 @@ TEST(PlanCommand, ReportsThatSixAndFivePeopleAreTooFew) {
   expectPhrases(
       found.out,
       {"the same order for everybody",
-       "smallest exact p of a pair .0312: above .0167",
+       "smallest exact p of a pair .0313: above .0167",
        "NO exact paired test can ever be significant",
        "At least 7 are needed",
        "power of a paired t-test for d_z = 1 at the strictest step of the correction: .27",
