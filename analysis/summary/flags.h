@@ -72,8 +72,8 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
      "(Friedman) first."},
     {"n_below_minimum_for_alpha.title", "Too few participants for an exact test to be significant"},
     {"n_below_minimum_for_alpha.why",
-     "Such a test cannot be significant with any answers. A t-test can, but takes differences as "
-     "normal, which so few people cannot show."},
+     "Such a test cannot be significant with any answers. A t-test of two people or more can, but "
+     "takes differences as normal, which so few people cannot show."},
     {"order_not_counterbalanced", "How often a method came at a position goes from {} to {}."},
     {"order_not_counterbalanced.remedy",
      "Let the orders be balanced (latinSquare, balancedLatinSquare, complete), and plan N as a "
