@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -83,9 +84,9 @@ struct CalibrationFit {
   ForceCalibration calibration{};
   std::vector<double> residuals{};  ///< fitted − known force of each point [N]
   double rms = 0.0;                 ///< √(Σ residual² / n) [N]
-  /// √(Σ residual² / (n − number of coefficients)) [N]; 0 if there are as many coefficients as
-  /// points.
-  double standardError = 0.0;
+  /// √(Σ residual² / (n − number of coefficients)) [N]; std::nullopt if there are as many
+  /// coefficients as points, so that the curve passes through each of them.
+  std::optional<double> standardError{};
   double largest = 0.0;  ///< |residual| [N]
   bool isRising = true;  ///< the force increases with the reading over the whole range
 };

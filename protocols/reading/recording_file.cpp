@@ -68,7 +68,7 @@ std::string calibrationAsJson(
         {"source_sha256", sha256},
         {"points", fit.residuals.size()},
         {"rms_n", fit.rms},
-        {"standard_error_n", fit.standardError},
+        {"standard_error_n", fit.standardError ? Json(*fit.standardError) : Json()},
         {"largest_residual_n", fit.largest}}}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -62,7 +63,11 @@ DataTable orderTable(const recordings::CalibrationTable& table, bool isThroughZe
   for (int order = 1; order <= recordings::kMostCalibrationOrder; ++order) {
     try {
       const auto fit = recordings::fitCalibration(table, order, isThroughZero);
-      orders.rows.push_back({std::int64_t{order}, fit.rms, fit.standardError, fit.largest});
+      orders.rows.push_back(
+          {std::int64_t{order},
+           fit.rms,
+           fit.standardError ? Cell(*fit.standardError) : Cell(),
+           fit.largest});
     } catch (const UserError&) {
       break;  // too few loads for this order and higher ones
     }
@@ -76,7 +81,7 @@ void print(
     const DataTable& orders) {
   const auto& calibration = fit.calibration;
   fmt::print(
-      "{}\n  {}, readings of {:g} to {:g} {}\n  f = {} N\n  RMS {:.4g} N, standard error {:.4g} N, "
+      "{}\n  {}, readings of {:g} to {:g} {}\n  f = {} N\n  RMS {:.4g} N, standard error {}, "
       "largest residual {:.4g} N\n\n  order     RMS [N]   standard error [N]   largest [N]\n",
       table.source,
       words::counted(table.points.size(), "load"),
@@ -85,15 +90,22 @@ void print(
       calibration.unit,
       polynomialOf(calibration),
       fit.rms,
-      fit.standardError,
+      fit.standardError ? fmt::format("{:.4g} N", *fit.standardError) : "–",
       fit.largest);
   for (const auto& row : orders.rows) {
     fmt::print(
-        "  {:>5} {:>11.4g} {:>20.4g} {:>13.4g}\n",
+        "  {:>5} {:>11.4g} {:>20} {:>13.4g}\n",
         std::get<std::int64_t>(row[0]),
         std::get<double>(row[1]),
-        std::get<double>(row[2]),
+        std::holds_alternative<double>(row[2]) ? fmt::format("{:.4g}", std::get<double>(row[2]))
+                                               : "–",
         std::get<double>(row[3]));
+  }
+  if (!fit.standardError) {
+    fmt::print(
+        "\nThe curve has as many coefficients as there are loads: it passes through every point, "
+        "and "
+        "nothing\ntells how far it is off between them. Add loads, or choose a lower order.\n");
   }
   if (!fit.isRising) {
     fmt::print(

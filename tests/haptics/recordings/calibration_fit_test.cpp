@@ -42,13 +42,20 @@ TEST(CalibrationFit, IsThePolynomialOfNumPyAtEveryOrder) {
     const auto fit =
         fitCalibration(table, row["order"].get<int>(), row["through_zero"].get<bool>());
     EXPECT_NEAR(fit.rms, row["rms_n"].get<double>(), 1e-10);
-    EXPECT_NEAR(fit.standardError, row["standard_error_n"].get<double>(), 1e-10);
+    EXPECT_NEAR(fit.standardError.value(), row["standard_error_n"].get<double>(), 1e-10);
     EXPECT_NEAR(forceOf(500.0, fit.calibration), row["at_500_n"].get<double>(), 1e-9);
     ASSERT_EQ(fit.residuals.size(), row["residuals_n"].size());
     for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
       EXPECT_NEAR(fit.residuals[i], row["residuals_n"][i].get<double>(), 1e-9) << row["order"];
     }
   }
+}
+
+TEST(CalibrationFit, HasNoStandardErrorThroughEveryPoint) {
+  CalibrationTable table{.source = "made", .readingUnit = "counts"};
+  table.points = {{10.0, 1.0}, {20.0, 2.0}, {30.0, 5.0}};
+  EXPECT_TRUE(fitCalibration(table, 1, false).standardError);
+  EXPECT_FALSE(fitCalibration(table, 2, false).standardError);
 }
 
 TEST(CalibrationFit, GivesBackAPolynomialThatTheLoadsLieOn) {
