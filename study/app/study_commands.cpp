@@ -279,7 +279,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
          "--devices",
          running.devices,
          "The laboratory's device file (default: devices.json in the study's folder; without it, "
-         "simulated devices)")
+         "a simulated hand moves simulated devices, and a live session warns of that)")
       ->type_name("FILE");
   run->add_option(
       "--take-over",

@@ -94,6 +94,7 @@ class TerminalSession {
             })) {}
 
   void run() {
+    warnOfSimulatedHand();
     fmt::print(
         "{} ({}, {}). Empty line: leave a question out, where that is allowed. Ctrl-D: stop; the "
         "session "
@@ -106,6 +107,17 @@ class TerminalSession {
   }
 
  private:
+  /// A live session without devices would be told as one in which people felt forces.
+  void warnOfSimulatedHand() const {
+    const bool isSimulated = dynamic_cast<const SimulatedDeviceSet*>(deviceSet_.get()) != nullptr;
+    if (!isSimulated || session_.runMode() != RunMode::Live) return;
+    fmt::print(
+        stderr,
+        "WARNING: there is no device file, so that a simulated hand moves the devices of this live "
+        "session, and the participant feels nothing. Name the laboratory's devices with --devices "
+        "FILE, or try the study with --pilot.\n");
+  }
+
   const std::string& language() const { return session_.language(); }
 
   /// The label of an alternative, as the participant reads it.
