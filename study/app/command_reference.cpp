@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -278,6 +279,25 @@ void setHelpFormat(CLI::App& program) {
 
 CommandDescription describe(const CLI::App& program) {
   return describe(program, "");
+}
+
+namespace {
+
+void rename(CommandDescription& command, std::size_t length, const std::string& name) {
+  command.name.replace(0, length, name);
+  for (auto& below : command.commands) rename(below, length, name);
+}
+
+}  // namespace
+
+void addCommandsOf(
+    CommandDescription program, const std::string& name, CommandDescription& starter) {
+  const auto full = starter.name + " " + name;
+  const auto command = std::ranges::find(starter.commands, full, &CommandDescription::name);
+  if (command == starter.commands.end()) return;
+  const auto length = program.name.size();
+  rename(program, length, full);
+  *command = std::move(program);
 }
 
 std::string manPage(const CommandDescription& program, const ManPageSections& sections) {

@@ -33,6 +33,12 @@ struct CommandDescription {
 /// which help pages hide as well.
 CommandDescription describe(const CLI::App& program);
 
+/// Puts the commands and options of @p program in place of those of the command of @p starter that
+/// starts it: 'palpate bench' is palpate-bench. Nothing happens if there is no such command.
+/// @param name  of the command: "bench"
+void addCommandsOf(
+    CommandDescription program, const std::string& name, CommandDescription& starter);
+
 /// Lets help pages of @p program and of commands that are added afterwards show values, ranges and
 /// defaults of options as describe() gives them.
 void setHelpFormat(CLI::App& program);

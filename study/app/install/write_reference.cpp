@@ -113,8 +113,16 @@ int main(int argc, char** argv) {
       write(folder + "/" + program.name + ".1", study::app::manPage(program, sections));
       write(folder + "/" + program.name + ".bash", study::app::bashCompletion(program));
     };
-    describe(study::app::describe(*study::app::makeProgram(action)), sectionsOfPalpate());
-    describe(study::app::describe(*study::bench::makeBenchProgram(action)), sectionsOfBench());
+    auto palpate = study::app::describe(*study::app::makeProgram(action));
+    const auto bench = study::app::describe(*study::bench::makeBenchProgram(action));
+    describe(palpate, sectionsOfPalpate());
+    describe(bench, sectionsOfBench());
+    study::app::addCommandsOf(bench, "bench", palpate);
+#ifdef PALPATE_HAS_COLLECT
+    study::app::addCommandsOf(describeCollect(), "collect", palpate);
+#endif
+    // Completed as if the commands of the programs that palpate starts were its own.
+    write(folder + "/palpate.bash", study::app::bashCompletion(palpate));
     describe(study::app::describeStudio(), sectionsOfStudio());
 #ifdef PALPATE_HAS_COLLECT
     describe(describeCollect(), sectionsOfCollect());

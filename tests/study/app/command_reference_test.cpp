@@ -192,6 +192,15 @@ TEST(CommandReference, CompletionOffersEveryCommandAndOption) {
   expectOffersOf(palpate(), {"palpate"});
 }
 
+TEST(CommandReference, CompletionOffersTheCommandsOfAProgramThatItStarts) {
+  auto starter = palpate();
+  study::app::addCommandsOf(benchmarks(), "bench", starter);
+  study::app::addCommandsOf(benchmarks(), "nosuch", starter);
+  EXPECT_EQ(starter.commands.size(), palpate().commands.size());
+  const auto offers = offered(starter, {"palpate", "bench", ""});
+  EXPECT_EQ(std::count(offers.begin(), offers.end(), "stats"), 1);
+}
+
 TEST(CommandReference, CompletionOffersTheValuesOfAnOption) {
   const std::vector<std::string> formats{"psych-ds", "python"};
   auto offers = offered(palpate(), {"palpate", "export", "my-study", "--format", "p"});
