@@ -226,7 +226,7 @@ void validateRate(
       path,
       "a device is sent a " + what + " every 1 ms, and at " + shown(rate) + " " + unit +
           " the largest one comes at once, as a blow",
-      "write less than " + shown(steepest) + "; " + usualAdvice);
+      "write at most " + shown(steepest) + "; " + usualAdvice);
 }
 
 void validateTorque(

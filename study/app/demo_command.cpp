@@ -101,7 +101,11 @@ void addDemoCommand(CLI::App& program, Action& action) {
       ->add_option("--out", options.out, "New folder for the studies, the report and the exports")
       ->type_name("FOLDER")
       ->capture_default_str();
-  command->add_option("--seed", options.seed, "Random seed; the same seed gives identical files")
+  command
+      ->add_option(
+          "--seed",
+          options.seed,
+          "Random seed; the same seed gives identical exports, but not databases")
       ->capture_default_str();
   command
       ->add_option(

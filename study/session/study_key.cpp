@@ -163,10 +163,10 @@ std::string keyStatusText(Study& study) {
   if (hasOnlyCopyOfKey(study)) return "sealed; this account has the only key: save a copy of it";
   const bool hasPassphrase = study.hasPassphrase();
   if (study.hasKey()) {
-    return hasPassphrase ? "sealed; this account has the key, or a passphrase opens it"
+    return hasPassphrase ? "sealed; this account has the key, and a passphrase opens it"
                          : "sealed; this account has the key";
   }
-  return hasPassphrase ? "sealed; this account does not have the key, or a passphrase opens it"
+  return hasPassphrase ? "sealed; this account does not have the key; a passphrase opens it"
                        : "sealed; this account does not have the key";
 }
 

@@ -180,6 +180,7 @@ std::string signedHead(Study& study) {
 void requireCertificate(const std::string& certificate) {
   std::error_code ignored;
   if (fs::is_regular_file(certificate, ignored)) return;
+  if (!certificate.empty()) throw UserError("There is no file " + certificate + ".");
   throw UserError(
       "Give the certificate of the authority's root, which its web site has: "
       "--authority-certificate FILE.pem");
