@@ -22,8 +22,8 @@ struct ExportedItem {
   ItemType type = ItemType::Number;
   std::optional<int> key;
   std::string relativeTo;
-  std::optional<int> lowest;
-  std::optional<int> highest;
+  std::optional<double> lowest;
+  std::optional<double> highest;
   std::string language;
   std::string text;
   std::string leftText;
@@ -51,8 +51,8 @@ Table<ExportedItem> itemTable() {
            Text{},
            "previous: it compares with what was felt just before",
            &Row::relativeTo},
-          {"lowest", Integer{}, "Lowest point", &Row::lowest},
-          {"highest", Integer{}, "Highest point", &Row::highest},
+          {"lowest", Number{}, "Lowest point or number", &Row::lowest},
+          {"highest", Number{}, "Highest point or number", &Row::highest},
           {"language", Text{}, "Of the question as it is worded here", &Row::language},
           {"text", Text{}, "The question", &Row::text},
           {"left_text", Text{}, "The word at the low end", &Row::leftText},
@@ -100,9 +100,9 @@ ExportedItem itemRow(
       .leftText = item.leftText.in(language),
       .rightText = item.rightText.in(language),
       .scale = scaleOf(item, language)};
-  if (isPoint(item)) {
-    row.lowest = item.scale.lowest;
-    row.highest = item.scale.highest();
+  if (const auto range = questionnaires::rangeOf(item)) {
+    row.lowest = range->low;
+    row.highest = range->high;
   }
   return row;
 }

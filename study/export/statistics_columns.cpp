@@ -121,6 +121,11 @@ Columns<StatisticsRow> statisticsColumns() {
        "Forms that answered some of a score's items and gave no score",
        &Row::missing},
       {"blocks", Text{}, "Phases whose answers count, separated by spaces", &Row::blocks},
+      {"items",
+       Text{},
+       "Questions whose answers a family compares, separated by spaces; empty where it compares a "
+       "score",
+       &Row::items},
       {"m", Integer{}, "Tests in the family", &Row::tests},
       {"group1",
        Text{},

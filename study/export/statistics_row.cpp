@@ -1,6 +1,5 @@
 #include "study/export/statistics_row.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "analysis/registry/test_rows.h"
@@ -9,20 +8,10 @@
 namespace study {
 namespace {
 
-/// Ids of the phases whose answers the family uses, separated by spaces.
-std::string blocksOf(const protocols::Family& family, const protocols::Protocol& protocol) {
+/// Separated by spaces.
+std::string listed(const std::vector<std::string>& ids) {
   std::string text;
-  for (const auto& phase : protocol.phases) {
-    const auto& named = family.blocks;
-    const bool isNamed =
-        named.empty() || std::find(named.begin(), named.end(), phase.id) != named.end();
-    const auto& asked = phase.trials.questionnaires;
-    const bool asks = std::any_of(asked.begin(), asked.end(), [&](const auto& questionnaire) {
-      return questionnaire.instrument == family.instrument;
-    });
-    if (phase.type != protocols::PhaseType::Block || !isNamed || !asks) continue;
-    text += (text.empty() ? "" : " ") + phase.id;
-  }
+  for (const auto& id : ids) text += (text.empty() ? "" : " ") + id;
   return text;
 }
 
@@ -70,15 +59,15 @@ analysis::TestRow pooledSitesRow(const analysis::SiteComparison& comparison) {
 
 }  // namespace
 
-StatisticsRow familyRow(
-    const protocols::Family& family,
-    const protocols::Protocol& protocol,
-    const std::string& cohort) {
+StatisticsRow familyRow(const FamilyResult& result, const std::string& cohort) {
+  const auto& family = result.family;
+  const auto& table = result.cohorts.front().table;
   return {
       .cohort = cohort,
       .family = family.id,
       .instrument = family.instrument,
-      .blocks = blocksOf(family, protocol),
+      .blocks = listed(table.rounds),
+      .items = family.score.empty() ? listed(table.statements) : std::string(),
       .score = family.score,
       .unit = "participant",
       .alpha = family.alpha,

@@ -23,6 +23,7 @@ struct StatisticsRow {
   std::string family;      ///< id of the family; empty for results without a family
   std::string instrument;  ///< id
   std::string blocks;      ///< ids of phases whose answers are used, separated by spaces
+  std::string items;       ///< ids of the items that a family compares, separated by spaces
   std::string score;       ///< id of the questionnaire's score
   std::string item;        ///< id
   std::string option;      ///< id of the option of a choice
@@ -47,11 +48,8 @@ struct StatisticsRow {
 Columns<StatisticsRow> statisticsColumns();
 
 /// A row with the values that all rows of a family and cohort have in common: cohort, instrument,
-/// blocks, and significance level.
-StatisticsRow familyRow(
-    const protocols::Family& family,
-    const protocols::Protocol& protocol,
-    const std::string& cohort);
+/// blocks, items, and significance level.
+StatisticsRow familyRow(const FamilyResult& result, const std::string& cohort);
 
 /// Rows on a cohort as a whole: overall tests, effect of the position, reliability, and
 /// distribution.

@@ -18,11 +18,8 @@ using Row = StatisticsRow;
 /// The rows of one family.
 class FamilyRows {
  public:
-  FamilyRows(
-      const FamilyResult& family,
-      const protocols::Protocol& protocol,
-      const std::map<std::string, std::string>& codes)
-      : family_(family), protocol_(protocol), codes_(codes) {}
+  FamilyRows(const FamilyResult& family, const std::map<std::string, std::string>& codes)
+      : family_(family), codes_(codes) {}
 
   std::vector<Row> all() {
     for (const auto& cohort : family_.cohorts) {
@@ -42,7 +39,7 @@ class FamilyRows {
       std::string_view design,
       std::string_view unit,
       analysis::TestRow test) {
-    auto row = familyRow(family_.family, protocol_, cohort);
+    auto row = familyRow(family_, cohort);
     row.design = design;
     row.unit = unit;
     row.test = std::move(test);
@@ -89,7 +86,7 @@ class FamilyRows {
   }
 
   void addOverall(const CohortResult& cohort) {
-    const auto family = familyRow(family_.family, protocol_, cohort.cohort);
+    const auto family = familyRow(family_, cohort.cohort);
     for (auto& added : overallRows(family, cohort, codes_)) rows_.push_back(std::move(added));
     for (auto& added : siteRows(family, cohort, codes_)) rows_.push_back(std::move(added));
   }
@@ -104,7 +101,6 @@ class FamilyRows {
   }
 
   const FamilyResult& family_;
-  const protocols::Protocol& protocol_;
   const std::map<std::string, std::string>& codes_;
   std::vector<Row> rows_;
 };
@@ -121,7 +117,7 @@ std::vector<Row> rowsOf(
     for (auto& row : more) rows.push_back(std::move(row));
   };
   for (const auto& family : results.families) {
-    add(FamilyRows(family, study.protocol().protocol, codes).all());
+    add(FamilyRows(family, codes).all());
   }
   add(instrumentRows(results.instruments, codes));
   add(itemRows(results.answers.items, study.protocol(), codes, isExact));

@@ -31,7 +31,12 @@ table_of <- function(name) {
             "as it was written:\n  Rscript analysis.R FOLDER")
     quit(status = 2)
   }
-  read.csv(path[1], na.strings = "", stringsAsFactors = FALSE, encoding = "UTF-8")
+  table <- read.csv(path[1], na.strings = "", colClasses = "character", encoding = "UTF-8")
+  ids <- c("participant_id", "cohort", "cohort2", "family_id", "instrument", "score", "block", "blocks", "item_id",
+           "items", "preference")
+  others <- setdiff(names(table), ids)  # an id of digits stays a word
+  table[others] <- lapply(table[others], type.convert, as.is = TRUE, na.strings = "")
+  table
 }
 responses <- table_of("responses")
 statistics <- table_of("statistics")
@@ -43,7 +48,13 @@ if (length(list.files(folder, "^wide[.]csv$", recursive = TRUE)) > 0) {
 }
 responses <- responses[responses$included == "true" | responses$included == TRUE, ]
 everything <- responses
-responses <- responses[responses$item_type == "likert" & !is.na(responses$condition_code), ]
+responses <- responses[!is.na(responses$condition_code), ]
+# Numbers of sliders and the like are reversed as points are: by the ends of their range.
+items <- table_of("items")
+asked <- items[match(paste(responses$instrument, responses$item_id), paste(items$instrument, items$item_id)), ]
+given <- suppressWarnings(as.numeric(responses$response))
+keyed <- ifelse(asked$key == -1, asked$lowest + asked$highest - given, given)
+responses$response_keyed <- ifelse(is.na(responses$response_keyed), keyed, responses$response_keyed)
 
 worst <- c()
 # Relative to the exported number, or to what is least where that is nearer to zero.
@@ -72,10 +83,14 @@ conditions_of <- function(row) {
 }
 answers_to <- function(row, cohort) {
   blocks <- strsplit(row$blocks, " ")[[1]]
-  if (!is.na(row$score)) responses <- scored(row)
+  items <- strsplit(row$items, " ")[[1]]
+  if (!is.na(row$score)) {
+    responses <- scored(row)
+    items <- row$score
+  }
   responses[responses$run_mode == row$run_mode & responses$cohort == cohort &
               responses$instrument == row$instrument & responses$block %in% blocks &
-              responses$condition_code %in% conditions_of(row), ]
+              responses$item_id %in% items & responses$condition_code %in% conditions_of(row), ]
 }
 scores <- function(row, group) {
   answers <- answers_to(row, row$cohort)
@@ -358,12 +373,12 @@ for (i in seq_len(nrow(statistics))) {
   statistics$again[i] <- p
   if (!is.na(p)) check(row, "p", p)
 }
-family <- with(statistics, paste(run_mode, cohort, family_id, method))
-for (members in split(seq_len(nrow(statistics)), family)) {
-  rows <- statistics[members, ]
+# A test that is not defined does not count in the correction.
+defined <- statistics[!is.na(statistics$p), ]
+for (rows in split(defined, with(defined, paste(run_mode, cohort, family_id, method)))) {
   if (anyNA(rows$again) || anyNA(rows$p_adj)) next
   p <- adjusted(rows$again, rows$p_adj_method[1])
-  for (i in seq_along(members)) check(rows[i, ], "p_adj", p[i])
+  for (i in seq_len(nrow(rows))) check(rows[i, ], "p_adj", p[i])
 }
 # How often each rendering was preferred. Who said "2" meant what they had felt as Alternative 2.
 votes <- table_of("votes")

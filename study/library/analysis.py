@@ -50,7 +50,8 @@ def table_of(name):
 
 
 everything = [r for r in table_of("responses") if r["included"] == "true"]
-responses = [r for r in everything if r["item_type"] == "likert" and r["condition_code"]]
+responses = [r for r in everything if r["condition_code"]]
+asked = {(i["instrument"], i["item_id"]): i for i in table_of("items")}
 statistics = table_of("statistics")
 # Only exports as CSV have the wide table; in others, families that compare a score are left out.
 wide = table_of("wide") if list(folder.rglob("wide.csv")) else []
@@ -77,12 +78,20 @@ for each in statistics:
 
 def answers_to(row, cohort):
     blocks = row["blocks"].split(" ")
+    items = [row["score"]] if row["score"] else row["items"].split(" ")
     return [
-        r for r in (scored(row) if row["score"] else responses)
+        r if r["response_keyed"] else {**r, "response_keyed": keyed(r)}
+        for r in (scored(row) if row["score"] else responses)
         if r["run_mode"] == row["run_mode"] and r["cohort"] == cohort
-        and r["instrument"] == row["instrument"] and r["block"] in blocks
+        and r["instrument"] == row["instrument"] and r["block"] in blocks and r["item_id"] in items
         and r["condition_code"] in conditions_of[row["run_mode"], row["family_id"]]
     ]
+
+
+def keyed(r):
+    """The number of a slider and the like, reversed as points are: by the ends of its range."""
+    item, given = asked[r["instrument"], r["item_id"]], float(r["response"])
+    return float(item["lowest"]) + float(item["highest"]) - given if item["key"] == "-1" else given
 
 
 def scored(row):

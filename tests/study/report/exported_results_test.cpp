@@ -25,6 +25,7 @@ const std::set<std::string> kAbout{
     "family_id",
     "instrument",
     "blocks",
+    "items",
     "groups",
     "group1",
     "group2",
@@ -128,12 +129,15 @@ TEST_F(ExportedResults, HaveAColumnForEveryNumberOfATest) {
 }
 
 TEST_F(ExportedResults, SayWhatAComparisonIsAbout) {
+  family().cohorts.front().table.rounds = {"round-1", "round-2"};
+  family().cohorts.front().table.statements = {"1.1", "2.1"};
   const Row expected{
       {"run_mode", "live"},
       {"cohort", "professional"},
       {"family_id", family().family.id},
       {"instrument", "punch-face-validity"},
       {"blocks", "round-1 round-2"},
+      {"items", "1.1 2.1"},
       {"m", "4"},
       {"group1", code("interpolation")},
       {"group2", code("finite-elements")},
