@@ -78,11 +78,10 @@ class AnswerWriter : HtmlWriter {
   std::string meansInWords(const FamilyResult& family, const CohortResult& part) const {
     if (!isAnyDefined(family, part)) return {};
     std::vector<std::pair<double, std::string>> all;
-    const auto methods = conditionsOf(section_.protocol, family.family);
     const auto mainAlternative = mainAlternativeOf(family);
-    for (const auto& id : methods) {
+    for (const auto& id : conditionsOf(section_.protocol, family.family)) {
       if (!mainAlternative.empty() && id != mainAlternative) continue;
-      if (const auto mean = meanOf(family, part, id, methods)) all.emplace_back(-*mean, id);
+      if (const auto mean = meanOf(family, part, id, {id})) all.emplace_back(-*mean, id);
     }
     std::ranges::stable_sort(all, {}, [](const auto& one) { return one.first; });
     const auto text = base::joined(all, ", ", [&](const auto& one) {
@@ -100,14 +99,15 @@ class AnswerWriter : HtmlWriter {
         testInWords(protocols::TestType::PairedT, section_.words));
   }
 
-  /// "Orthopaedic surgeons (6 participants)"; with the family's title if there are several.
+  /// "Orthopaedic surgeons (6 participants)", or "(2 to 5 participants)" where not all were
+  /// compared in each comparison; with the family's title if there are several.
   std::string cohortLabelOf(const FamilyResult& family, const CohortResult& part) const {
-    const auto complete = part.within.participants;  // participants who judged every method
-    const auto who = escaped(section_.words.count(
-        complete > 0 ? complete : part.table.participants.size(),
-        "{1} ({0} participant)",
-        "{1} ({0} participants)",
-        section_.cohortTitle(part.cohort)));
+    const auto [fewest, most] = peopleComparedIn(family, part);
+    const auto& title = section_.cohortTitle(part.cohort);
+    const auto same = escaped(
+        section_.words.count(most, "{1} ({0} participant)", "{1} ({0} participants)", title));
+    const auto range = say("{} ({} to {} participants)", title, fewest, most);
+    const auto& who = fewest == most ? same : range;
     return section_.results.families.size() > 1 ? say("“{}”", family.family.title) + ", " + who
                                                 : who;
   }
@@ -145,7 +145,11 @@ class AnswerWriter : HtmlWriter {
         otherFindings,
         "{} difference between other methods is significant.",
         "{} differences between other methods are significant.");
-    return text + "." + (otherFindings > 0 ? " " + escaped(others) : std::string());
+    const auto leftOut = leftOutIn(family, part).size();
+    const auto missing =
+        count(leftOut, "{} comparison could not be tested.", "{} comparisons could not be tested.");
+    return text + "." + (otherFindings > 0 ? " " + escaped(others) : std::string()) +
+           (leftOut > 0 ? " " + missing : std::string());
   }
 
   std::string notTestedInWords(const Declared& row) const {
@@ -319,14 +323,22 @@ class AnswerWriter : HtmlWriter {
         "answer");
     bool isAnyBold = false;
     bool isAnyOfTwoPeople = false;  // too few for g_z
+    bool isAnyLeftOut = false;
+    bool differInPeople = false;
     forEachAnswered([&](const auto& family, const auto& part) {
       if (!isAnyDefined(family, part)) {
         rowOver(cohortLabelOf(family, part) + ": " + say("not tested"));
         return;
       }
       rowOver(cohortLabelOf(family, part));
+      const auto [fewest, most] = peopleComparedIn(family, part);
+      differInPeople = differInPeople || (fewest != most && !family.isNamed("welch"));
       for (const auto& comparison : declaredIn(family, part)) {
-        if (!comparison.isDefined()) continue;
+        if (!comparison.isDefined()) {
+          notTestedRow(comparison);
+          isAnyLeftOut = true;
+          continue;
+        }
         comparisonRow(family, part, comparison, effect.empty());
         isAnyBold = isAnyBold || isBold(family, comparison);
         isAnyOfTwoPeople = isAnyOfTwoPeople || !comparison.difference->effect.value;
@@ -339,19 +351,24 @@ class AnswerWriter : HtmlWriter {
     const auto order =
         say("The method with the higher mean over all cohorts comes first. Differences are taken "
             "before rounding.");
+    const auto ofBoth = say("Means here are of the participants who judged both methods.");
     const auto standardised = withSubscripts(say(
         "{} is the mean difference over the SD of the differences, corrected for small samples.",
         "g_z"));
     const auto uncorrected = say(
         "p is corrected for all comparisons under one heading, intervals are not: one without 0 "
         "may come with a p above α.");
+    const auto ofTested =
+        say("p is corrected for the comparisons under one heading that were tested, intervals are "
+            "not: one without 0 may come with a p above α.");
     const auto ofTwoPeople = withSubscripts(say("{} needs three participants.", "g_z"));
     const auto bold = say("Bold: p ≤ α.");
-    put("<p class=\"note\">{}{}{}{}{}</p>",
+    put("<p class=\"note\">{}{}{}{}{}{}</p>",
         order,
+        differInPeople ? " " + ofBoth : std::string(),
         effect == "g_z" ? " " + standardised : std::string(),
         effect == "g_z" && isAnyOfTwoPeople ? " " + ofTwoPeople : std::string(),
-        isCorrected ? " " + uncorrected : std::string(),
+        isCorrected ? " " + (isAnyLeftOut ? ofTested : uncorrected) : std::string(),
         isAnyBold ? " " + bold : std::string());
   }
 
@@ -370,12 +387,19 @@ class AnswerWriter : HtmlWriter {
     return name.empty() ? symbol : symbol + "<sub>" + std::string(name) + "</sub>";
   }
 
+  /// A comparison without numbers, with the reason.
+  void notTestedRow(const Declared& comparison) {
+    const auto& reason = comparison.test->reason;
+    row({condition(comparison.group1) + " vs. " + condition(comparison.group2)},
+        reason.empty() ? say("not tested") : notDefined(reason));
+  }
+
   void comparisonRow(
       const FamilyResult& family,
       const CohortResult& part,
       const Declared& comparison,
       bool namesEffect) {
-    const auto& [group1, group2, difference, test, withinPeople] = comparison;
+    const auto& [group1, group2, difference, test, withinPeople, people] = comparison;
     const auto& effect = difference->effect;
     const auto p = cellOfP(
         test->adjusted && !nameOf(family.family.correction).empty() ? test->adjusted : test->p);
@@ -505,30 +529,6 @@ const FamilyResult* mainFamily(const ReportSection& section) {
   const auto found = std::ranges::find_if(
       all, [](const auto& family) { return std::ranges::any_of(family.cohorts, hasAnswers); });
   return found == all.end() ? nullptr : &*found;
-}
-
-std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort) {
-  std::vector<Declared> all;
-  static const analysis::TestRow kNone;
-  if (family.isNamed("welch")) {
-    for (const auto& row : cohort.comparisons.rows) {
-      const auto within = std::ranges::find_if(cohort.within.rows, [&](const auto& other) {
-        return other.group1 == row.group1 && other.group2 == row.group2;
-      });
-      all.push_back(
-          {row.group1,
-           row.group2,
-           &row,
-           &row,
-           within == cohort.within.rows.end() ? &kNone : &within->test("paired_t")});
-    }
-    return all;
-  }
-  for (const auto& row : cohort.within.rows) {
-    const auto& paired = row.test("paired_t");
-    all.push_back({row.group1, row.group2, &paired, &row.test(idOf(family.family.test)), &paired});
-  }
-  return all;
 }
 
 std::string mainAlternativeOf(const FamilyResult& family) {

@@ -94,6 +94,7 @@ struct Outcome {
   bool isHigherInEach = true;         ///< the best alternative, in each cohort
   Names differences;                  ///< of each cohort, in words
   std::vector<double> points;         ///< the same, above 0 where the best alternative is higher
+  std::size_t mostPeople = 0;         ///< who were compared in a cohort
 };
 
 /// Says what was found without statistics.
@@ -327,6 +328,8 @@ class VerdictWriter {
       points.push_back(std::abs(*row.difference->estimate.value));
     }
     const auto [least, most] = std::ranges::minmax(points);
+    std::set<std::pair<std::string, std::string>> pairs;
+    for (const auto& row : testedIn(family)) pairs.insert({row.group1, row.group2});
     const auto cohorts = std::ranges::count_if(
         family.cohorts, [&](const auto& part) { return isTested(family, part); });
     const auto where = cohorts > 1 ? " " + words_("in any cohort") : std::string();
@@ -334,7 +337,7 @@ class VerdictWriter {
     const auto least2 = rounded(least, 2);
     const auto most2 = rounded(most, 2);
     return words_.count(
-        family.family.comparisons.size(),
+        pairs.size(),
         "By the declared test ({1}), the difference ({2} to {3} points) was not significant{4} "
         "({5}). That does not show that both are alike.",
         "By the declared test ({1}), none of the {0} differences ({2} to {3} points) was "
@@ -346,7 +349,7 @@ class VerdictWriter {
         who);
   }
 
-  /// "4 people each, 8 planned": of the cohorts that were tested.
+  /// "4 people each, 8 planned": of the comparisons that were tested.
   std::string peopleIn(const FamilyResult& family) const {
     std::set<std::size_t> counts;
     std::set<std::size_t> planned;
@@ -354,7 +357,8 @@ class VerdictWriter {
     for (const auto& part : family.cohorts) {
       if (!isTested(family, part)) continue;
       ++cohorts;
-      counts.insert(part.table.participants.size());
+      const auto [fewest, most] = peopleComparedIn(family, part);
+      counts.insert({fewest, most});
       const auto* cohort = section_.protocol.cohort(part.cohort);
       planned.insert(cohort == nullptr ? 0U : static_cast<std::size_t>(cohort->planned));
     }
@@ -363,9 +367,9 @@ class VerdictWriter {
     const auto range = words_.say("{} to {} people each", *counts.begin(), *counts.rbegin());
     const auto ofPlan = ", " + words_.say("{} planned", *planned.rbegin());
     const bool isFewer = planned.size() == 1 && *planned.begin() > *counts.rbegin();
-    return (cohorts == 1         ? alone
-            : counts.size() == 1 ? same
-                                 : range) +
+    return (counts.size() > 1 ? range
+            : cohorts == 1    ? alone
+                              : same) +
            (isFewer ? ofPlan : std::string());
   }
 
@@ -393,15 +397,17 @@ class VerdictWriter {
   /// What differences that are not significant do not show.
   std::string sizesOf(const std::vector<Outcome>& outcomes) const {
     std::vector<double> points;
+    std::size_t mostPeople = 0;
     for (const auto& one : outcomes) {
       points.insert(points.end(), one.points.begin(), one.points.end());
+      mostPeople = std::max(mostPeople, one.mostPeople);
     }
     const auto [least, most] = std::ranges::minmax(points);
     return words_.say(
         "That does not show that they are alike ({} to {} points, at most {} people).",
         rounded(least, 2),
         rounded(most, 2),
-        mostPeople_);
+        mostPeople);
   }
 
   /// @param where  " in each cohort" or the like; left out if there is only one cohort
@@ -470,13 +476,13 @@ class VerdictWriter {
   Outcome outcomeOf(const FamilyResult& family, const std::string& other) {
     Outcome outcome{.condition = other};
     for (const auto& part : family.cohorts) {
-      mostPeople_ = std::max(mostPeople_, part.table.participants.size());
       for (const auto& row : declaredIn(family, part)) {
         if (other == best_ || !row.has(best_) || !row.has(other) || !row.isDefined()) continue;
         const double sign = row.group1 == best_ ? 1.0 : -1.0;
         const double difference = sign * *row.difference->estimate.value;
         const bool isSignificant = row.test->isSignificant.value_or(false);
         const bool agrees = agreesWithin(row, sign * difference);
+        outcome.mostPeople = std::max(outcome.mostPeople, row.people);
         ++outcome.testedCohorts;
         outcome.points.push_back(difference);
         if (difference < 0.0) outcome.isHigherInEach = false;
@@ -504,7 +510,6 @@ class VerdictWriter {
   std::string best_;  ///< condition
   std::string test_;  ///< the declared test, in words
   bool isTestNamed_ = false;
-  std::size_t mostPeople_ = 0;  ///< in a cohort
 };
 
 }  // namespace

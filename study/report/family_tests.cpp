@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "analysis/effects/bayes_factor.h"
@@ -289,7 +290,67 @@ class TestsWriter : HtmlWriter {
   bool hasBayesFactor_ = false;  ///< the same of Bayes factors
 };
 
+/// The number of participants with answers about one of @p methods; without any, about any method.
+std::size_t respondentsIn(
+    const analysis::AnswerTable& table, const std::vector<std::string>& methods = {}) {
+  std::set<std::size_t> people;
+  for (const auto& answer : table.answers) {
+    const bool isMeant =
+        methods.empty() || std::ranges::count(methods, table.methods[answer.method]) > 0;
+    if (isMeant) people.insert(answer.participant);
+  }
+  return people.size();
+}
+
 }  // namespace
+
+std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort) {
+  std::vector<Declared> all;
+  static const analysis::TestRow kNone;
+  if (family.isNamed("welch")) {
+    for (const auto& row : cohort.comparisons.rows) {
+      const auto within = std::ranges::find_if(cohort.within.rows, [&](const auto& other) {
+        return other.group1 == row.group1 && other.group2 == row.group2;
+      });
+      all.push_back(
+          {row.group1,
+           row.group2,
+           &row,
+           &row,
+           within == cohort.within.rows.end() ? &kNone : &within->test("paired_t"),
+           respondentsIn(cohort.table, {row.group1, row.group2})});
+    }
+    return all;
+  }
+  for (const auto& row : cohort.within.rows) {
+    const auto& paired = row.test("paired_t");
+    all.push_back(
+        {row.group1,
+         row.group2,
+         &paired,
+         &row.test(idOf(family.family.test)),
+         &paired,
+         paired.n1.value_or(0)});
+  }
+  return all;
+}
+
+std::vector<Declared> leftOutIn(const FamilyResult& family, const CohortResult& cohort) {
+  auto rows = declaredIn(family, cohort);
+  if (std::ranges::none_of(rows, &Declared::isDefined)) return {};
+  std::erase_if(rows, [](const auto& row) { return row.isDefined(); });
+  return rows;
+}
+
+std::pair<std::size_t, std::size_t> peopleComparedIn(
+    const FamilyResult& family, const CohortResult& cohort) {
+  std::set<std::size_t> counts;
+  for (const auto& row : declaredIn(family, cohort)) {
+    if (row.isDefined()) counts.insert(row.people);
+  }
+  if (counts.empty()) counts.insert(respondentsIn(cohort.table));
+  return {*counts.begin(), *counts.rbegin()};
+}
 
 std::string withinAsHtml(
     const ReportSection& section, const FamilyResult& family, const std::string& figure) {

@@ -234,6 +234,15 @@ class StatisticsWriter : HtmlWriter {
     const auto sentence =
         section_.words.say("p values are adjusted before they are rounded: {}.", list);
     add(!list.empty(), sentence);
+    const auto leftOut =
+        section_.words("A comparison that could not be tested does not count in the correction.");
+    const bool isAnyLeftOut =
+        std::ranges::any_of(section_.results.families, [](const auto& family) {
+          return std::ranges::any_of(family.cohorts, [&](const auto& part) {
+            return !nameOf(family.family.correction).empty() && !leftOutIn(family, part).empty();
+          });
+        });
+    add(isAnyLeftOut, leftOut);
   }
 
   Citations& citations_;

@@ -48,6 +48,7 @@ struct Declared {
   const analysis::TestRow* difference;    ///< has estimate, interval and effect
   const analysis::TestRow* test;          ///< has p
   const analysis::TestRow* withinPeople;  ///< the paired t-test of participants' means
+  std::size_t people;                     ///< number of participants whose answers it compares
 
   bool isDefined() const { return difference->estimate.value && test->p; }
   bool has(const std::string& condition) const {
@@ -55,6 +56,14 @@ struct Declared {
   }
 };
 std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort);
+
+/// The declared comparisons of a cohort in which others were tested, and these could not be.
+std::vector<Declared> leftOutIn(const FamilyResult& family, const CohortResult& cohort);
+
+/// The fewest and the most participants of a declared comparison that was tested; if none was, how
+/// many answered.
+std::pair<std::size_t, std::size_t> peopleComparedIn(
+    const FamilyResult& family, const CohortResult& cohort);
 
 /// The alternative that the sentences on a family, and the figure beside them, compare with the
 /// others; empty if they are about all comparisons.

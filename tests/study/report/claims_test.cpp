@@ -142,6 +142,44 @@ TEST(Claims, CallsNoAbsenceOfSignificanceAlikeness) {
       << "introduced where the sentences before do not name them";
 }
 
+TEST(Claims, CountsThePeopleOfEachComparisonWhereAnswersAreMissing) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.test = protocols::TestType::PairedT;
+  auto& part = family.cohorts.front();
+  std::erase_if(part.table.answers, [](const auto& answer) {
+    const auto person = answer.participant;
+    return (answer.method == 1 && person < 2) || (answer.method == 2 && person > 2);
+  });
+  part.within = analysis::compareWithin(
+      part.table,
+      std::vector<analysis::DeclaredPair>{
+          {"interpolation", "finite-elements"},
+          {"interpolation", "kalman"},
+          {"kalman", "finite-elements"}},
+      {});
+  for (auto& cohort : family.cohorts) {
+    for (auto& row : cohort.within.rows) {
+      for (auto& test : row.tests) test.isSignificant = false;
+    }
+  }
+  const auto verdict = verdictOf(section);
+  EXPECT_TRUE(has(verdict, "none of the 2 differences (")) << verdict;
+  EXPECT_TRUE(has(verdict, " points) was significant (3 to 4 people each")) << verdict;
+  const auto answer = answerAsHtml(section);
+  EXPECT_TRUE(has(answer, "<p>Orthopaedic surgeons (3 to 4 participants): ")) << answer;
+  EXPECT_TRUE(has(answer, " 1 comparison could not be tested.</p>")) << answer;
+  EXPECT_TRUE(has(
+      answer,
+      "<td>KF vs. FEM</td><td class=\"words\" colspan=\"4\">not defined: a comparison needs two "
+      "pairs of values, and has one</td>"))
+      << answer;
+  EXPECT_TRUE(has(answer, "p is corrected for the comparisons under one heading that were tested"));
+  const std::string correction = "A comparison that could not be tested does not count in the ";
+  EXPECT_TRUE(has(methodsAsHtml(section), correction));
+  EXPECT_FALSE(has(methodsAsHtml(tests::madeUpSection()), correction));
+}
+
 TEST(Claims, NamesDifferencesThatOnlyUndeclaredTestsFind) {
   auto section = tests::madeUpSection();
   auto& family = section.results.families.front();
