@@ -113,6 +113,10 @@ class VerdictWriter {
       best_ = highestRatedIn(*family);
       if (!isTested) sentences.push_back(ratings(*family));
       std::ranges::move(comparisons(*family), std::back_inserter(sentences));
+      if (section_.results.families.size() > 1 && !sentences.empty()) {
+        sentences.front() = words_.say("“{}”", family->family.title) + ": " + sentences.front();
+      }
+      std::ranges::move(otherFamilies(*family), std::back_inserter(sentences));
     }
     if (named) sentences.push_back(votes(*named));
     Answer conclusion;
@@ -197,6 +201,27 @@ class VerdictWriter {
       }
     }
     return {};
+  }
+
+  /// How many differences of the declared families other than @p main are significant.
+  Names otherFamilies(const FamilyResult& main) const {
+    Names counts;
+    for (const auto& family : section_.results.families) {
+      if (&family == &main || !family.isDeclared) continue;
+      const auto tested = testedIn(family);
+      const auto significant = std::ranges::count_if(
+          tested, [](const auto& row) { return row.test->isSignificant.value_or(false); });
+      const auto counted =
+          words_.say("{} of {} in “{}”", significant, tested.size(), family.family.title);
+      const auto nothing = words_.say("none tested in “{}”", family.family.title);
+      const auto pooled = " (" + words_("all answers pooled") + ")";
+      counts.push_back(
+          tested.empty()            ? nothing
+          : family.isNamed("welch") ? counted + pooled
+                                    : counted);
+    }
+    if (counts.empty()) return {};
+    return {words_.say("Significant differences otherwise: {}.", listed(counts, words_))};
   }
 
   /// Whether the ratings of the best alternative differ from those of the others.

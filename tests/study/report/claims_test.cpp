@@ -180,6 +180,26 @@ TEST(Claims, CountsThePeopleOfEachComparisonWhereAnswersAreMissing) {
   EXPECT_FALSE(has(methodsAsHtml(tests::madeUpSection()), correction));
 }
 
+TEST(Claims, NamesItsFamilyAndCountsTheFindingsOfTheOthers) {
+  auto section = tests::madeUpSection();
+  auto& families = section.results.families;
+  EXPECT_TRUE(verdictOf(section).starts_with("By the declared test"));
+  families.push_back(families.front());
+  families.front().family.title = "Realism";
+  families.back().family.title = "Effort";
+  for (auto& cohort : families.back().cohorts) {
+    for (auto& row : cohort.comparisons.rows)
+      row.isSignificant = &row == &cohort.comparisons.rows[1];
+  }
+  const auto verdict = verdictOf(section);
+  EXPECT_TRUE(verdict.starts_with("“Realism”: By the declared test")) << verdict;
+  EXPECT_TRUE(
+      has(verdict, "Significant differences otherwise: 1 of 3 in “Effort” (all answers pooled)."))
+      << verdict;
+  families.back().isDeclared = false;
+  EXPECT_FALSE(has(verdictOf(section), "Effort")) << "exploratory";
+}
+
 TEST(Claims, NamesDifferencesThatOnlyUndeclaredTestsFind) {
   auto section = tests::madeUpSection();
   auto& family = section.results.families.front();
