@@ -47,38 +47,51 @@ class HeadWriter : HtmlWriter {
   }
 
   /// "Compared are the answers to 6 questions (3 reversed) in round 1 and round 2; scale from 1 to
-  /// 5."; without the round if there is only one; empty for a score.
+  /// 5.", or "Compared is the score “Realism” of 6 questions …"; without the rounds if no other
+  /// round asks.
   std::string whatIsCompared(const protocols::Family& family) const {
     const auto* instrument = section_.instrument(family.instrument);
-    if (instrument == nullptr || !family.score.empty()) return {};
-    const auto items = protocols::comparedItems(family, instrument->items);
-    const auto reversed =
-        std::ranges::count_if(items, [](const auto& item) { return item.key < 0; });
+    if (instrument == nullptr) return {};
+    const auto* score = instrument->score(family.score);
+    auto items = protocols::comparedItems(family, instrument->items);
+    if (score != nullptr) {
+      for (const auto& id : score->items) items.push_back(*instrument->item(id));
+    }
+    const auto reversed = std::ranges::count_if(items, [&](const auto& item) {
+      return item.key < 0 && (score == nullptr || score->reverseByKey);
+    });
     std::vector<std::string> blocks;
+    bool isAnyLeftOut = false;
     for (const auto& phase : section_.protocol.phases) {
       const bool isAsked =
           std::ranges::find(
               phase.trials.questionnaires,
               family.instrument,
               &protocols::ConditionQuestionnaire::instrument) != phase.trials.questionnaires.end();
-      const bool isUsed = family.blocks.empty() ||
-                          std::ranges::find(family.blocks, phase.id) != family.blocks.end();
-      if (isAsked && isUsed) blocks.push_back(section_.blockTitle(phase.id));
+      if (!isAsked) continue;
+      if (family.usesBlock(phase.id)) {
+        blocks.push_back(section_.blockTitle(phase.id));
+      } else {
+        isAnyLeftOut = true;
+      }
     }
     if (items.empty() || blocks.empty()) return {};
-    const auto ofOneRound = count(
+    const auto answers = count(
         items.size(),
         "Compared are the answers to {} question ({} reversed)",
         "Compared are the answers to {} questions ({} reversed)",
         reversed);
-    const auto ofRounds = count(
+    const auto ofScore = count(
         items.size(),
-        "Compared are the answers to {} question ({} reversed) in {}",
-        "Compared are the answers to {} questions ({} reversed) in {}",
-        reversed,
-        listed(blocks, section_.words));
+        "Compared is the score “{1}” of {0} question ({2} reversed)",
+        "Compared is the score “{1}” of {0} questions ({2} reversed)",
+        score == nullptr ? std::string() : score->title.in(section_.words.language()),
+        reversed);
+    const auto rounds = " " + say("in {}", listed(blocks, section_.words));
     const auto scale = escaped(withCurlyQuotes(scaleInWords(section_, family)));
-    return (blocks.size() > 1 ? ofRounds : ofOneRound) + (scale.empty() ? "" : "; " + scale) + ".";
+    return (score == nullptr ? answers : ofScore) +
+           (blocks.size() > 1 || isAnyLeftOut ? rounds : std::string()) +
+           (scale.empty() ? "" : "; " + scale) + ".";
   }
 
   /// One banner for all that a reader must know before any number.

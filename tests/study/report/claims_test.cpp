@@ -200,6 +200,17 @@ TEST(Claims, NamesItsFamilyAndCountsTheFindingsOfTheOthers) {
   EXPECT_FALSE(has(verdictOf(section), "Effort")) << "exploratory";
 }
 
+TEST(Claims, SaysWhichScoreAndWhichRoundsAreCompared) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front().family;
+  family.blocks = {"round-2"};
+  EXPECT_TRUE(has(headAsHtml(section), " reversed) in round 2 (also seen); scale from 1 (strongly"))
+      << headAsHtml(section);
+  family.score = "face-validity-1";
+  EXPECT_TRUE(has(headAsHtml(section), "Compared is the score “")) << headAsHtml(section);
+  EXPECT_TRUE(has(headAsHtml(section), "” of 3 questions (")) << headAsHtml(section);
+}
+
 TEST(Claims, NamesDifferencesThatOnlyUndeclaredTestsFind) {
   auto section = tests::madeUpSection();
   auto& family = section.results.families.front();
