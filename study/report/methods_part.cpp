@@ -389,9 +389,12 @@ class MethodsWriter : HtmlWriter {
       }
     }
     put("<p>{}</p><ul>", say("Instruments:"));
-    const auto own = section_.words("Palpate’s own wording.");
+    const auto palpates = section_.words("Palpate’s own wording.");
+    const auto own = section_.words(kOwnWording);
     for (const auto& [source, named] : titles) {
-      const auto said = source == kOwnWording ? own : source;
+      const auto said = source == kPalpatesWording ? palpates
+                        : source == kOwnWording    ? own
+                                                   : source;
       put("<li>{}{}</li>", escaped(named), said.empty() ? said : ": " + escaped(said));
     }
     put("</ul>");

@@ -123,8 +123,10 @@ std::vector<const analysis::Flag*> explainedFlags(const ReportSection& section);
 /// their labels: "the number of an alternative and its position"; may be empty.
 std::string disclosuresInWords(const ReportSection& section);
 
-/// The citation of questionnaires that Palpate words itself.
-inline constexpr std::string_view kOwnWording = "Palpate's own wording.";
+/// The citation of questionnaires that Palpate words itself, and that of a laboratory's own
+/// (docs/questionnaire-format.md).
+inline constexpr std::string_view kPalpatesWording = "Palpate's own wording.";
+inline constexpr std::string_view kOwnWording = "Own wording.";
 
 /// What the study adds to the validity of the simulator, by source of evidence.
 std::string validityAsHtml(const ReportSection& section);

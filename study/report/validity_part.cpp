@@ -61,7 +61,8 @@ class ValidityWriter : HtmlWriter {
       });
       if (isText) continue;
       ++all;
-      if (one.source.citation.empty() || one.source.citation == kOwnWording) ++own;
+      const auto& source = one.source.citation;
+      if (source.empty() || source == kOwnWording || source == kPalpatesWording) ++own;
     }
     return count(
         all,

@@ -211,6 +211,14 @@ TEST(Claims, SaysWhichScoreAndWhichRoundsAreCompared) {
   EXPECT_TRUE(has(headAsHtml(section), "” of 3 questions (")) << headAsHtml(section);
 }
 
+TEST(Claims, CountsALaboratorysOwnWordingAsUnpublished) {
+  auto section = tests::madeUpSection();
+  for (auto& one : section.instruments) one.source.citation = "An article.";
+  EXPECT_TRUE(has(validityAsHtml(section), " 0 of them without a published source"));
+  for (auto& one : section.instruments) one.source.citation = "Own wording.";
+  EXPECT_FALSE(has(validityAsHtml(section), " 0 of them without a published source"));
+}
+
 TEST(Claims, NamesDifferencesThatOnlyUndeclaredTestsFind) {
   auto section = tests::madeUpSection();
   auto& family = section.results.families.front();
