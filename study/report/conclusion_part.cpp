@@ -352,26 +352,31 @@ class VerdictWriter {
     for (const auto& row : testedIn(family)) {
       points.push_back(std::abs(*row.difference->estimate.value));
     }
-    const auto [least, most] = std::ranges::minmax(points);
     std::set<std::pair<std::string, std::string>> pairs;
     for (const auto& row : testedIn(family)) pairs.insert({row.group1, row.group2});
     const auto cohorts = std::ranges::count_if(
         family.cohorts, [&](const auto& part) { return isTested(family, part); });
     const auto where = cohorts > 1 ? " " + words_("in any cohort") : std::string();
     const auto who = peopleIn(family);
-    const auto least2 = rounded(least, 2);
-    const auto most2 = rounded(most, 2);
     return words_.count(
         pairs.size(),
-        "By the declared test ({1}), the difference ({2} to {3} points) was not significant{4} "
-        "({5}). That does not show that both are alike.",
-        "By the declared test ({1}), none of the {0} differences ({2} to {3} points) was "
-        "significant{4} ({5}). That does not show that they are alike.",
+        "By the declared test ({1}), the difference ({2}) was not significant{3} ({4}). That does "
+        "not show that both are alike.",
+        "By the declared test ({1}), none of the {0} differences ({2}) was significant{3} ({4}). "
+        "That does not show that they are alike.",
         test_,
-        least2,
-        most2,
+        sizesOf(points),
         where,
         who);
+  }
+
+  /// "0.41 to 2.42 points".
+  std::string sizesOf(const std::vector<double>& points) const {
+    const auto [least, most] = std::ranges::minmax(points);
+    const auto first = rounded(least, 2);
+    const auto last = rounded(most, 2);
+    const auto range = words_.say("{} to {} points", first, last);
+    return first == last ? words_.say("{} points", last) : range;
   }
 
   /// "4 people each, 8 planned": of the comparisons that were tested.
@@ -427,11 +432,9 @@ class VerdictWriter {
       points.insert(points.end(), one.points.begin(), one.points.end());
       mostPeople = std::max(mostPeople, one.mostPeople);
     }
-    const auto [least, most] = std::ranges::minmax(points);
     return words_.say(
-        "That does not show that they are alike ({} to {} points, at most {} people).",
-        rounded(least, 2),
-        rounded(most, 2),
+        "That does not show that they are alike ({}, at most {} people).",
+        sizesOf(points),
         mostPeople);
   }
 

@@ -302,7 +302,8 @@ std::string questionOf(const questionnaires::Item& item, const std::string& lang
 
 std::pair<std::string, std::string> scaleEndWords(
     const questionnaires::Item& item, const std::string& language) {
-  const auto& scale = item.scale;
+  const bool isPoint = questionnaires::answerKindOf(item.type) == questionnaires::AnswerKind::Point;
+  const auto scale = isPoint ? item.scale : questionnaires::Scale{};
   const auto either = [&](const auto& one, const auto& other) {
     const auto& text = one.in(language).empty() ? other.in(language) : one.in(language);
     return text.find("[[") == std::string::npos ? text : std::string();

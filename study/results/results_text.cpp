@@ -1,6 +1,7 @@
 #include "study/results/results_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -401,14 +402,21 @@ class Writer {
     }
   }
 
+  /// Four digits, or all before the point where there are more.
+  static std::string shortened(double value) {
+    constexpr double kMoreDigits = 9999.5;
+    return std::abs(value) < kMoreDigits ? fmt::format("{:.4g}", value)
+                                         : fmt::format("{:.0f}", value);
+  }
+
   static std::string numbersOf(const ItemSummary& one) {
     return fmt::format(
-        "{}{}, {}, {:.4g} … {:.4g}, n = {}",
+        "{}{}, {}, {} … {}, n = {}",
         rounded(one.mean, 2),
         one.standardDeviation ? " " + rounded(one.standardDeviation, 2) : std::string(),
         rounded(one.median, 2),
-        *one.least,
-        *one.most,
+        shortened(*one.least),
+        shortened(*one.most),
         one.values.size());
   }
 

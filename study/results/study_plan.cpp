@@ -164,6 +164,7 @@ FamilyPlan declaredPlanOf(
       .title = family.title,
       .comparisons = family.comparisons.size(),
       .conditions = conditions.size(),
+      .isScore = !family.score.empty(),
       .points = pointsOf(family, loaded),
       .alpha = planOptions.alpha.value_or(family.alpha),
       .isCorrected = family.correction != protocols::CorrectionType::None,

@@ -73,6 +73,7 @@ struct FamilyPlan {
   std::size_t comparisons = 0;
   std::size_t conditions = 0;
   std::size_t answers = 0;  ///< per participant and condition; the smallest number over conditions
+  bool isScore = false;     ///< whether each answer is a score of a form
   int points = 5;           ///< number of points of the scale
   double alpha = 0.05;
   double alphaPerTest = 0.05;

@@ -228,8 +228,9 @@ std::string familyText(const StudyPlan& plan, const FamilyPlan& family) {
                          : fmt::format("not corrected, {:g}", family.alpha),
       pText(family.alphaPerTest));
   text += fmt::format(
-      "  Each participant answers {} about each condition, on {}.\n",
-      counted(family.answers, "statement"),
+      "  Each participant {} about each condition, on {}.\n",
+      family.isScore ? "gives " + counted(family.answers, "score")
+                     : "answers " + counted(family.answers, "statement"),
       counted(static_cast<std::uint64_t>(family.points), "point"));
   text += prospectsText(plan, family);
   text += powerTable(plan, family);

@@ -125,7 +125,7 @@ TEST(Claims, CallsNoAbsenceOfSignificanceAlikeness) {
       has(verdictOf(section),
           "Interpolation was rated neither significantly higher nor lower than FEM (finite "
           "elements) and KF (Kalman filter) in any cohort. That does not show that they are alike "
-          "(0.50 to 0.50 points, at most 6 people)."))
+          "(0.50 points, at most 6 people)."))
       << verdictOf(section);
   for (auto& cohort : family.cohorts) {
     for (auto& row : cohort.within.rows) {

@@ -373,6 +373,13 @@ TEST(ScaleInWords, HasTheWordsAtTheEndsOfASlider) {
   EXPECT_EQ(report::scaleInWords(Items{&demand, &performance}, english), "scale from 0 to 100");
 }
 
+TEST(ScaleInWords, HasNoWordsOfTheFormsPointsAtTheEndsOfANumber) {
+  auto knees = item("knees", ItemType::Number);
+  knees.most = 20000.0;
+  knees.scale.lowLabel = knees.scale.highLabel = questionnaires::LocalizedText({{"en", "-"}});
+  EXPECT_EQ(report::scaleInWords({&knees}, words::Words()), "scale from 0 to 20000");
+}
+
 TEST(ItemSummaries, OfOnePersonAreNotShownInTheReport) {
   auto section = tests::madeUpSection();
   section.instruments.push_back(mine());

@@ -430,6 +430,21 @@ TEST_F(ResultsText, HasTheNumbersOfTheReportsTablesAsPublished) {
   expectSaid(profile, "9.02 9.03 [9.04, 9.05], n = 3");
 }
 
+TEST_F(ResultsText, WritesLargeAnswersWithoutAnExponent) {
+  auto results = tests::numberedSection().results;
+  results.answers.items = {
+      {.instrument = "background-knee",
+       .item = "knees",
+       .cohort = "professional",
+       .values = {2905.0, 14117.0},
+       .mean = 8511.0,
+       .median = 8511.0,
+       .least = 2905.0,
+       .most = 14117.0}};
+  const auto text = resultsAsText(*study_, results, Profile::Declared);
+  EXPECT_NE(text.find(", 2905 … 14117, n = 2"), std::string::npos) << text;
+}
+
 TEST_F(ResultsText, CallsConfirmatoryTestsSignificantOnly) {
   auto results = tests::numberedSection().results;
   auto& family = results.families.front();

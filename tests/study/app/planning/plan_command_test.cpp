@@ -1,7 +1,10 @@
 // The command 'palpate plan'.
+#include <fstream>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/study/made_study.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
@@ -44,6 +47,17 @@ TEST(PlanCommand, ReportsThatSixAndFivePeopleAreTooFew) {
        "N for 0.9      57      25      17      13      10",
        "professional against non-professional: smallest exact p of Mann and Whitney's test .0043",
        "For an application to an ethics committee"});
+}
+
+TEST(PlanCommand, CountsTheScoresOfFormsWhereAFamilyComparesAScore) {
+  auto json = tests::libraryProtocol("punch-counterbalanced.json").text;
+  const std::string asked = R"("instrument": "realism-common",)";
+  json.insert(json.find(asked, json.find("\"families\"")), R"("score": "realism", )");
+  const tests::ScratchFolder scratch;
+  const auto file = scratch / "scored.json";
+  std::ofstream(file) << json;
+  const auto found = plan({file, "--participants", "12", "--studies", "0"});
+  expectPhrases(found.out, {"Each participant gives 2 scores about each condition, on "});
 }
 
 TEST(PlanCommand, ReportsHowManyParticipantsBalanceTheOrders) {
