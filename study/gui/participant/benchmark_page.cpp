@@ -17,7 +17,8 @@ BenchmarkPage::BenchmarkPage(const Content& content, QWidget* picture, QWidget* 
   addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
   stage_->setCaption(tr("The real instrument, not the simulator"));
   auto* text = textLabel(content.text, this);
-  auto* key = bodyLabel(tr("You will compare every alternative with these cuts."), this);
+  auto* key =
+      bodyLabel(tr("You will compare what you feel on the simulator with these cuts."), this);
   text->setProperty("role", QStringLiteral("statement"));
   key->setProperty("role", QStringLiteral("key"));
   enoughHint_->setProperty("role", QStringLiteral("text"));
