@@ -6,6 +6,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "protocols/model/loaded_protocol.h"
@@ -133,6 +134,8 @@ void TextsDialog::showLanguage() {
       const auto found = words.find(language);
       return found == words.end() ? QString() : QString::fromStdString(found->second);
     };
+    // Other fields still have the words of the language before: they must not be stored yet.
+    const QSignalBlocker quiet(field);
     field->setPlaceholderText(shownLanguage_ == "en" ? QString() : text("en"));
     field->setText(text(shownLanguage_));
   }

@@ -381,6 +381,34 @@ TEST_F(HomeTest, AsksBeforeTypedTextsAreDiscarded) {
   EXPECT_FALSE(form.isVisible());
 }
 
+TEST_F(HomeTest, KeepsTheTextsOfALanguageWhenAnotherIsShown) {
+  questionnaires::Problems problems;
+  TextsDialog form(*protocols::loadProtocolFile("punch-face-validity", problems));
+  const auto field = [&](const char* key) {
+    return form.findChild<QLineEdit*>(QStringLiteral("text-") + QString::fromUtf8(key));
+  };
+  auto* languages = form.findChild<QComboBox*>(QStringLiteral("language"));
+  const auto show = [&](const char* language) {
+    languages->setCurrentIndex(languages->findData(QString::fromUtf8(language)));
+  };
+  const auto duration = field("duration")->text();
+  ASSERT_FALSE(duration.isEmpty());
+  field("institution")->setText(QStringLiteral("Hospital"));
+  field("contact")->setText(QStringLiteral("Eva"));
+  show("de");
+  EXPECT_EQ(field("institution")->text(), QString());
+  field("institution")->setText(QStringLiteral("Klinik"));
+  show("nb");
+  show("en");
+  EXPECT_EQ(field("institution")->text(), QStringLiteral("Hospital"));
+  EXPECT_EQ(field("duration")->text(), duration);
+  using Texts = std::map<std::string, std::string>;
+  const auto texts = form.texts();
+  EXPECT_EQ(texts.at("institution").all(), (Texts{{"en", "Hospital"}, {"de", "Klinik"}}));
+  EXPECT_EQ(texts.at("contact").all(), (Texts{{"en", "Eva"}}));
+  EXPECT_EQ(texts.at("duration").all(), (Texts{{"en", duration.toStdString()}}));
+}
+
 TEST_F(HomeTest, FillsInTheTextsOfAStudyOnce) {
   const QString folder = makeStudy("one");
   HomeWindow home;
