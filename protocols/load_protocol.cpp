@@ -1,5 +1,6 @@
 #include "protocols/load_protocol.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -156,6 +157,30 @@ std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems
 std::optional<LoadedProtocol> withTexts(
     const LoadedProtocol& loaded, const questionnaires::BlankTexts& texts, Problems& problems) {
   return loadProtocol(withTexts(loaded.text, texts), loaded.files, problems);
+}
+
+questionnaires::BlankTexts keptTexts(const LoadedProtocol& before, const LoadedProtocol& changed) {
+  const auto& languages = changed.protocol.languages;
+  questionnaires::BlankTexts kept;
+  for (const auto& key : changed.blanks) {
+    const auto text = before.protocol.texts.find(key);
+    if (text == before.protocol.texts.end() || changed.protocol.texts.contains(key)) continue;
+    auto words = text->second.all();
+    std::erase_if(words, [&](const auto& each) {
+      return each.first != "en" && std::ranges::find(languages, each.first) == languages.end();
+    });
+    kept.emplace(key, questionnaires::LocalizedText(std::move(words)));
+  }
+  return kept;
+}
+
+LoadedProtocol withKeptTexts(const LoadedProtocol& before, const LoadedProtocol& changed) {
+  auto texts = keptTexts(before, changed);
+  if (texts.empty()) return changed;
+  texts.insert(changed.protocol.texts.begin(), changed.protocol.texts.end());
+  Problems unused;  // warnings, as those of changed
+  auto filled = withTexts(changed, texts, unused);
+  return filled ? std::move(*filled) : changed;
 }
 
 }  // namespace protocols

@@ -51,4 +51,10 @@ std::optional<LoadedProtocol> withTexts(
     const questionnaires::BlankTexts& texts,
     questionnaires::Problems& problems);
 
+/// The texts of @p before for the blanks that @p changed, a later version of it, leaves empty.
+questionnaires::BlankTexts keptTexts(const LoadedProtocol& before, const LoadedProtocol& changed);
+
+/// A copy of @p changed with keptTexts().
+LoadedProtocol withKeptTexts(const LoadedProtocol& before, const LoadedProtocol& changed);
+
 }  // namespace protocols

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "protocols/load_protocol.h"
+#include "questionnaires/reading/instrument_file.h"
 #include "study/app/command_options.h"
 #include "study/app/json_file.h"
 #include "study/app/keys/ask_passphrase.h"
@@ -33,6 +35,7 @@ struct StudyArguments {
   std::string runMode;
   std::string language;  ///< empty: en, or that of the session that goes on
   std::string takeOver;
+  std::string out;
   int participants = 0;
   std::optional<std::uint64_t> seed;
   bool hasNamesPassphrase = false;
@@ -97,9 +100,29 @@ int create(const StudyArguments& options) {
   return 0;
 }
 
+std::string keysOf(const questionnaires::BlankTexts& texts) {
+  std::string keys;
+  for (const auto& [key, text] : texts) keys.append(keys.empty() ? "" : ", ").append(key);
+  return keys;
+}
+
+/// Saves the protocol as the study has it, to be changed and to become an amendment.
+int saveProtocol(const StudyArguments& options) {
+  auto study = Study::open(options.folder, Access::ReadOnly);
+  study::saveProtocol(study.protocol(), options.out);
+  fmt::print(
+      "Protocol saved: {0}\nChange it, and: palpate study amend {1} --protocol {0} --reason "
+      "\"…\"\n",
+      options.out,
+      options.folder);
+  return 0;
+}
+
 int amend(const StudyArguments& options) {
-  const auto protocol = loadValidProtocol(options.protocol);
+  const auto changed = loadValidProtocol(options.protocol);
   auto study = Study::open(options.folder);
+  const auto kept = protocols::keptTexts(study.protocol(), changed);
+  const auto protocol = protocols::withKeptTexts(study.protocol(), changed);
   if (isSame(study.protocols().current(), protocol)) {
     fmt::print(
         "{} is what {} uses already, to the byte: nothing has changed.\n",
@@ -109,6 +132,7 @@ int amend(const StudyArguments& options) {
   }
   study.amend(protocol, options.reason);
   fmt::print("New sessions use {} from now on.\n", options.protocol);
+  if (!kept.empty()) fmt::print("Texts kept from the study: {}.\n", keysOf(kept));
   return 0;
 }
 
@@ -319,6 +343,14 @@ void addStudyCommands(CLI::App& program, Action& action) {
       ->type_name("FILE")
       ->required();
   addReasonOfAmendment(*amend, amending.reason);
+
+  auto [protocol, saving] =
+      add("protocol",
+          "Save the protocol that new sessions use, with its texts and the files that it names",
+          app::saveProtocol);
+  protocol->add_option("--out", saving.out, "New file for the protocol (.json)")
+      ->type_name("FILE")
+      ->required();
 
   auto [status, showing] =
       add("status", "Show participants and the progress of the study", app::status);

@@ -9,6 +9,8 @@
 #include "base/random.h"
 #include "base/text_table.h"
 #include "protocols/load_protocol.h"
+#include "questionnaires/json/document.h"
+#include "study/model/new_file.h"
 #include "study/model/study_files.h"
 #include "study/model/user_error.h"
 #include "study/session/erasure.h"
@@ -273,6 +275,26 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
          .values = {{"version", static_cast<std::int64_t>(id)}, {"reason", reason}}});
     signTrail(nameOf(EventKind::AmendedProtocol));
   });
+}
+
+void saveProtocol(const protocols::LoadedProtocol& protocol, const std::string& path) {
+  const auto isThere = [](const fs::path& file, const std::string& text) {
+    return fs::is_regular_file(file) && fs::file_size(file) == text.size() &&
+           questionnaires::readTextFile(file.string(), text.size()) == text;
+  };
+  requireNewFile(path);
+  const auto folder = fs::path(path).parent_path();
+  std::vector<std::pair<fs::path, const std::string*>> files;
+  for (const auto& [name, text] : protocol.files) {
+    if (name.starts_with(protocols::kLibraryCopyPrefix)) continue;
+    const auto file = folder / name;
+    if (isThere(file, text)) continue;
+    if (file.has_parent_path()) fs::create_directories(file.parent_path());
+    requireNewFile(file.string());
+    files.emplace_back(file, &text);
+  }
+  for (const auto& [file, text] : files) writeNewFile(file.string(), *text);
+  writeNewFile(path, protocol.text);
 }
 
 storage::TraceStore Study::openTraces() const {

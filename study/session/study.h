@@ -187,4 +187,9 @@ std::uint64_t randomSeed();
 /// The version of this program; it is stored with every session.
 std::string_view appVersion() noexcept;
 
+/// Writes @p protocol as the new file @p path, and the files that it names beside it. A file that
+/// is there already with the same content stays. The forms of the library are not written.
+/// @throws storage::StorageError  if another file is in the way; nothing is overwritten.
+void saveProtocol(const protocols::LoadedProtocol& protocol, const std::string& path);
+
 }  // namespace study

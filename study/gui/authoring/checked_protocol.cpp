@@ -113,6 +113,7 @@ QStringList CheckedProtocol::files() const {
 std::vector<Note> CheckedProtocol::notes() const {
   std::vector<Note> all;
   if (loaded) all.push_back({contentsOf(loaded->protocol)});
+  if (!keptTexts.empty()) all.push_back({keptTextsInWords()});
   for (const auto& problem : problems) {
     const auto place = placeInWords(problem.path);
     const auto what = inWords(problem.what);
@@ -123,6 +124,15 @@ std::vector<Note> CheckedProtocol::notes() const {
          .details = fix.isEmpty() ? QStringList() : QStringList{capitalised(fix)}});
   }
   return all;
+}
+
+QString CheckedProtocol::keptTextsInWords() const {
+  QStringList titles;
+  for (const auto& blank : protocols::blanksOf(*loaded)) {
+    if (keptTexts.contains(blank.key)) titles << deskText(blank.title);
+  }
+  return QObject::tr("Texts kept from the study, because the file leaves them empty: %1")
+      .arg(titles.join(QStringLiteral("; ")));
 }
 
 QString CheckedProtocol::inWords(const base::Message& message) const {
@@ -155,7 +165,7 @@ QString CheckedProtocol::placeInWords(const std::string& path) const {
   return parts.join(QStringLiteral(" › ")).replace(u'_', u' ');
 }
 
-CheckedProtocol checkProtocol(const std::string& source) {
+CheckedProtocol checkProtocol(const std::string& source, const protocols::LoadedProtocol* before) {
   std::string text;
   std::optional<protocols::LoadedProtocol> loaded;
   questionnaires::Problems problems;
@@ -165,7 +175,14 @@ CheckedProtocol checkProtocol(const std::string& source) {
   } catch (const base::UserError& error) {
     problems.add("$", error.what());
   }
-  return checkedProtocol(source, std::move(text), std::move(loaded), problems.all());
+  questionnaires::BlankTexts kept;
+  if (loaded && before != nullptr) {
+    kept = protocols::keptTexts(*before, *loaded);
+    loaded = protocols::withKeptTexts(*before, *loaded);
+  }
+  auto checked = checkedProtocol(source, std::move(text), std::move(loaded), problems.all());
+  checked.keptTexts = std::move(kept);
+  return checked;
 }
 
 CheckedProtocol checkedProtocol(
@@ -177,7 +194,7 @@ CheckedProtocol checkedProtocol(
     return problem.severity != Severity::Error;  // errors first
   });
   const auto isBlank = [](const auto& problem) { return problem.what.key() == "blank_left"; };
-  if (loaded && std::erase_if(problems, isBlank) > 0) {
+  if (loaded && std::erase_if(problems, isBlank) > 0 && blanksLeft(*loaded) > 0) {
     problems.insert(
         problems.begin(),
         {.severity = Severity::Warning,

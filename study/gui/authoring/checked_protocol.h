@@ -7,6 +7,7 @@
 #include <QString>
 
 #include "protocols/model/loaded_protocol.h"
+#include "questionnaires/reading/instrument_file.h"
 #include "study/gui/widgets/note_list.h"
 #include "study/report/report_section.h"
 
@@ -24,6 +25,7 @@ struct CheckedProtocol {
   std::optional<protocols::LoadedProtocol> loaded;  ///< std::nullopt if there are errors
   /// The blanks of all texts are reported as one problem, which is the first.
   std::vector<questionnaires::Problem> problems;
+  questionnaires::BlankTexts keptTexts = {};  ///< of an earlier version
 
   int errors() const noexcept;
   int warnings() const noexcept;
@@ -35,6 +37,8 @@ struct CheckedProtocol {
   /// What it has, if it can be used, and all problems: "Consent › introduction: …", with what to do
   /// below each.
   std::vector<Note> notes() const;
+  /// Names the texts that are kept from an earlier version.
+  QString keptTextsInWords() const;
   /// A text of a problem, with titles in place of the ids of conditions, cohorts, blocks,
   /// instruments and items.
   QString inWords(const base::Message& message) const;
@@ -45,7 +49,10 @@ struct CheckedProtocol {
 
 /// Reads and checks a protocol as `palpate protocol check` does. An unreadable file is reported as
 /// a problem.
-CheckedProtocol checkProtocol(const std::string& source);
+/// @param before  an earlier version, whose texts are kept for the blanks that the file leaves
+/// empty
+CheckedProtocol checkProtocol(
+    const std::string& source, const protocols::LoadedProtocol* before = nullptr);
 /// The result for a protocol that was read, with the problems found in it.
 CheckedProtocol checkedProtocol(
     std::string source,

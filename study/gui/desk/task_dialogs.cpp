@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+
 #include "study/cohort/simulated_participant.h"
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/widgets/attempt.h"
@@ -9,6 +13,7 @@
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/field_row.h"
 #include "study/gui/widgets/studio_settings.h"
+#include "study/gui/widgets/written_file.h"
 #include "study/report/tables/plan_tables.h"
 #include "study/report/tables/statistics_tables.h"
 #include "study/results/study_plan.h"
@@ -36,8 +41,18 @@ AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
       folder_(study.folder),
       file_(new PathField(
           PathField::Kind::ExistingFile, tr("Changed protocol"), tr("Protocols (*.json)"), this)) {
+  attempt(this, MessageTopic::ProtocolNotChanged, [this] {
+    present_ = Study::open(folder_, Access::ReadOnly).protocol();
+  });
   file_->startIn(protocolFolder());
   form().addRow(tr("Changed protocol"), file_);
+  auto* save = new QPushButton(tr("Save the study’s protocol…"), this);
+  save->setObjectName(QStringLiteral("save-protocol"));
+  save->setAutoDefault(false);
+  save->setEnabled(present_.has_value());
+  form().addRow(QString(), save);
+  addHint(tr("As a file with all texts, to be changed there and chosen above."));
+  connect(save, &QPushButton::clicked, this, &AmendDialog::savePresentProtocol);
   addReason(tr("Reason for the change"), [this] { updateButton(); });
   connect(file_, &PathField::pathChanged, this, &AmendDialog::check);
   connect(&watch_, &FileWatch::changed, this, &AmendDialog::check);
@@ -50,11 +65,31 @@ void AmendDialog::check() {
   clear();
   const auto path = file_->path().toStdString();
   if (!path.empty()) {
-    checked_ = checkProtocol(path);
+    checked_ = checkProtocol(path, present_ ? &*present_ : nullptr);
     showOutcome(checked_.mark(), QString::fromStdString(checked_.verdict()), checked_.notes());
   }
   watch_.watch(path.empty() ? QStringList() : checked_.files());
   updateButton();
+}
+
+void AmendDialog::savePresentProtocol() {
+  const auto id = QString::fromStdString(present_->protocol.study.id);
+  auto file = QFileDialog::getSaveFileName(
+      this,
+      tr("Save the study’s protocol"),
+      unusedPath(QDir(protocolFolder()).filePath(id), QStringLiteral(".json")),
+      tr("Protocols (*.json)"),
+      nullptr,
+      QFileDialog::DontConfirmOverwrite);  // nothing is overwritten
+  if (file.isEmpty()) return;
+  if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".json");
+  const bool isSaved = attempt(this, MessageTopic::OwnProtocolNotSaved, [&] {
+    saveProtocol(*present_, file.toStdString());
+  });
+  if (!isSaved) return;
+  rememberProtocolFolder(file);
+  showWrittenFileMessage(this, file);
+  file_->setPath(file);
 }
 
 void AmendDialog::updateButton() {
@@ -83,7 +118,11 @@ void AmendDialog::work() {
         tr("This is the protocol that the study uses already."),
         {{tr("When the file is changed, it is read again.")}});
   }
-  showOutcome(Outcome::Good, tr("Protocol changed. New sessions use it from now on."));
+  showOutcome(
+      Outcome::Good,
+      tr("Protocol changed. New sessions use it from now on."),
+      checked_.keptTexts.empty() ? std::vector<Note>()
+                                 : std::vector<Note>{{checked_.keptTextsInWords()}});
 }
 
 SimulateDialog::SimulateDialog(const StudySummary& study, QWidget* parent)

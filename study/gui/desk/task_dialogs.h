@@ -31,8 +31,10 @@ class AmendDialog final : public WorkDialog {
  private:
   void check();
   void updateButton();
+  void savePresentProtocol();
 
   std::string folder_;
+  std::optional<protocols::LoadedProtocol> present_;  ///< the study's; std::nullopt: not readable
   CheckedProtocol checked_;
   FileWatch watch_;
   bool isDone_ = false;  ///< with the file as it is: nothing is left to be changed

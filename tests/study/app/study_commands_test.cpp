@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "protocols/load_protocol.h"
 #include "study/session/session.h"
 #include "tests/study/app/palpate_command.h"
+#include "tests/study/everything_instrument.h"
 #include "tests/study/made_study.h"
 #include "tests/support/test_data.h"
 
@@ -67,6 +69,43 @@ TEST_F(StudyCommands, ReportsAnAmendmentWithoutChanges) {
   EXPECT_NE(same.out.find("nothing has changed"), std::string::npos) << same.out;
   const auto other = palpate({"study", "amend", study, "--protocol", "punch-counterbalanced"});
   EXPECT_NE(other.error.find("not another version"), std::string::npos) << other.error;
+}
+
+TEST_F(StudyCommands, SavesTheProtocolToBeChangedAndKeepsItsTexts) {
+  const auto study = made("punch-face-validity");
+  ASSERT_EQ(palpate({"study", "texts", study, "--set", "institution=Our clinic"}).status, 0);
+  const std::string file = folder_ / "saved.json";
+  const auto saved = palpate({"study", "protocol", study, "--out", file});
+  EXPECT_EQ(saved.status, 0) << saved.error;
+  EXPECT_NE(saved.out.find("Protocol saved: " + file), std::string::npos) << saved.out;
+  const auto same = palpate({"study", "amend", study, "--protocol", file});
+  EXPECT_NE(same.out.find("nothing has changed"), std::string::npos) << same.out;
+  EXPECT_NE(palpate({"study", "protocol", study, "--out", file}).status, 0) << "it is there";
+  // The library's own file has none of the texts.
+  auto text = std::string(*protocols::libraryProtocol("punch-face-validity"));
+  const std::string title = "\"title\": \"";
+  text.insert(text.find(title) + title.size(), "Changed: ");
+  const auto changed = folder_.write("changed.json", text);
+  const auto amended = palpate({"study", "amend", study, "--protocol", changed});
+  EXPECT_EQ(amended.status, 0) << amended.error;
+  EXPECT_NE(amended.out.find("Texts kept from the study: institution."), std::string::npos)
+      << amended.out;
+  const auto texts = palpate({"study", "texts", study}).out;
+  EXPECT_NE(texts.find("Our clinic"), std::string::npos) << texts;
+}
+
+TEST_F(StudyCommands, SavesTheFilesThatAProtocolNames) {
+  tests::MadeStudy study{tests::protocolFrom(
+      tests::protocolWithEverything(), {{"everything.json", tests::everythingInstrument()}})};
+  study.close();
+  const auto folder = study.scratch() / "new";
+  std::filesystem::create_directories(folder);
+  const auto file = folder + "/saved.json";
+  const auto saved = palpate({"study", "protocol", study.folder(), "--out", file});
+  EXPECT_EQ(saved.status, 0) << saved.error;
+  EXPECT_EQ(tests::contentOf(folder + "/everything.json"), tests::everythingInstrument());
+  const auto checked = palpate({"protocol", "check", file});
+  EXPECT_EQ(checked.status, 0) << checked.out << checked.error;
 }
 
 TEST_F(StudyCommands, KeepsTheColumnsOfStatusApartWhereACodeIsLong) {

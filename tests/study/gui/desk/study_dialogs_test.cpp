@@ -24,6 +24,7 @@
 #include "study/gui/desk/export_dialog.h"
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/task_dialogs.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/message_box.h"
 #include "study/gui/widgets/result_view.h"
 #include "study/gui/widgets/written_file.h"
@@ -102,7 +103,10 @@ TEST_F(StudyDialogsTest, VerifyNotesThatABackupWasPutBackOnPurpose) {
   fs::rename(out_ / "older", folder);
   VerifyDialog dialog(summaryOf(folder));
   press(dialog);
-  EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✕"))) << outcome(dialog).toStdString();
+  EXPECT_EQ(
+      outcome(dialog),
+      QStringLiteral("!  This is an older copy of the study. What it has is undamaged."));
+  EXPECT_FALSE(more(dialog).contains(QStringLiteral("✕"))) << more(dialog).toStdString();
   auto* restored = dialog.findChild<QPushButton*>(QStringLiteral("restored"));
   ASSERT_TRUE(restored->isVisible());
   QTimer::singleShot(0, &dialog, [] {
@@ -316,6 +320,30 @@ TEST_F(StudyDialogsTest, AmendmentChangesTheProtocolOfNewSessions) {
   tests::photographInAllThemes(dialog, QStringLiteral("amend"));
 }
 
+TEST_F(StudyDialogsTest, AmendmentKeepsTheTextsOfTheStudy) {
+  questionnaires::Problems problems;
+  const auto shipped = *protocols::loadProtocolFile("punch-face-validity", problems);
+  questionnaires::BlankTexts texts;
+  for (const auto& blank : protocols::blanksOf(shipped)) {
+    texts[blank.key] = questionnaires::LocalizedText({{"en", "our words"}, {"de", "eigenes"}});
+  }
+  const auto filled = *protocols::withTexts(shipped, texts, problems);
+  SystemClock clock;
+  Study::create(out_ / "other", filled, clock, 7);
+  auto text = shipped.text;
+  const std::string title = "\"title\": \"";
+  text.insert(text.find(title) + title.size(), "Changed: ");
+  const auto file = out_.write("changed.json", text);
+  AmendDialog dialog(summaryOf(out_ / "other"));
+  dialog.findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("a new title"));
+  press(dialog, file);
+  EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
+  auto study = Study::open(out_ / "other", clock, storage::Database::Access::ReadOnly);
+  EXPECT_TRUE(study.protocol().protocol.study.title.starts_with("Changed: "));
+  EXPECT_EQ(study.protocol().protocol.texts, texts);
+  EXPECT_EQ(summaryOf(out_ / "other").blanks, 0U);
+}
+
 TEST_F(StudyDialogsTest, SayEveryCheckOfAVerificationInEveryLanguage) {
   SystemClock clock;
   auto opened = Study::open(study(), clock, storage::Database::Access::ReadOnly);
@@ -326,6 +354,16 @@ TEST_F(StudyDialogsTest, SayEveryCheckOfAVerificationInEveryLanguage) {
       EXPECT_TRUE(words.catalogue().desk.contains(check.what)) << language << ": " << check.what;
     }
   }
+}
+
+TEST_F(StudyDialogsTest, OfferAReportInTheLanguageOfTheDesk) {
+  setDeskLanguage("de");
+  ReportDialog dialog(summary());
+  const auto boxes = dialog.findChildren<QComboBox*>();
+  EXPECT_TRUE(std::ranges::any_of(boxes, [](const QComboBox* box) {
+    return box->currentData() == QVariant(QStringLiteral("de"));
+  }));
+  setDeskLanguage("en");
 }
 
 TEST_F(StudyDialogsTest, AmendmentReadsItsFileAgainWhenItChanges) {
