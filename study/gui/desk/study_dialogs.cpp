@@ -167,6 +167,7 @@ void VerifyDialog::recordRestoredBackup() {
 void VerifyDialog::work() {
   Verification verification;
   std::size_t missing = 0;
+  bool isOlderCopy = false;
   const bool isDone = BackgroundTask::run(
       this,
       tr("Verifying the study"),
@@ -175,12 +176,29 @@ void VerifyDialog::work() {
         auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
         verification = verify(study, progress);
         missing = headsMissingIn(study);
+        if (missing == 0 || verification.isSound()) return;
+        const auto asCopy = verify(study, progress, {.isOlderCopy = true});
+        isOlderCopy = asCopy.isSound();
+        if (isOlderCopy) verification = asCopy;
       });
   if (!isDone) return clear();
   form().setRowVisible(restoredButton_, missing > 0);
   runButton().setText(tr("Verify again"));
   const auto checks = notesOf(verification);
-  if (verification.isSound()) {
+  if (isOlderCopy) {
+    auto notes = checks;
+    notes.insert(
+        notes.begin(),
+        {{tr("A backup of a study that went on is such a copy: keep it, and go on with the "
+             "study.")},
+         {tr("If this is the study itself, its latest events are missing. Restore the newest "
+             "backup."),
+          Mark::Warning}});
+    showOutcome(
+        Outcome::Warning,
+        tr("This is an older copy of the study. What it has is undamaged."),
+        notes);
+  } else if (verification.isSound()) {
     showOutcome(Outcome::Good, tr("All data are unchanged."), checks);
   } else {
     showOutcome(
@@ -212,6 +230,7 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
       font_(new QDoubleSpinBox(this)),
       writtenFigures_(new WrittenFile(this)) {
   addLanguages(*language_, words::languages());
+  chooseLanguage(*language_, deskLanguage());
   language_->setAccessibleName(tr("Language"));
   wording_->addItem(tr("APA: p = .021 [0.41, 2.42]"), static_cast<int>(Wording::Apa));
   wording_->addItem(tr("Vancouver: P = 0.021, 0.41 to 2.42"), static_cast<int>(Wording::Vancouver));

@@ -13,4 +13,8 @@ namespace study::gui {
 bool confirmTexts(
     const protocols::LoadedProtocol& protocol, const Enrolment& enrolment, QWidget* parent);
 
+/// Whether a participant may be enrolled although this computer has seen later events of the study,
+/// as in a backup: for a live session, if the operator says so.
+bool confirmNewestCopy(Study& study, const Enrolment& enrolment, QWidget* parent);
+
 }  // namespace study::gui

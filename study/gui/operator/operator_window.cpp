@@ -207,7 +207,8 @@ void OperatorWindow::resume(SessionId id, const std::string& takeOver) {
 void OperatorWindow::enrolAfterChecks(const Enrolment& enrolment) {
   if (controller_) return;
   attempt(this, MessageTopic::SessionNotBegun, [&] {
-    const bool mayBegin = confirmTexts(study_.protocol(), enrolment, this);
+    const bool mayBegin = confirmTexts(study_.protocol(), enrolment, this) &&
+                          confirmNewestCopy(study_, enrolment, this);
     if (mayBegin && devices_->confirmDevicesReady()) enrol(enrolment);
   });
 }

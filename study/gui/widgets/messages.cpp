@@ -233,6 +233,16 @@ constexpr auto kMessages = std::to_array<MessageRow>({
                "(--devices FILE).",
      .safe = "Do not go on",
      .action = "Go on with virtual devices"},
+    {.topic = LiveSessionInOlderCopy,
+     .kind = Kind::Question,
+     .title = "Older copy",
+     .headline = "Begin a live session although this is an older copy of the study?",
+     .data = "This computer has seen later events of the study than this folder has. A session "
+             "that begins here is missing in the study itself.",
+     .advice = "Close it and open the study itself. If this backup is to take the study's place, "
+               "choose “Verify…” and record that it was put back on purpose.",
+     .safe = "Do not begin",
+     .action = "Begin the session"},
     {.topic = PilotSessionHasBlanks,
      .kind = Kind::Question,
      .title = "Texts with blanks",

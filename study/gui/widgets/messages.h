@@ -49,6 +49,7 @@ enum class MessageTopic {
   CloseWithLoss,
   DiscardTexts,
   GoOnVirtually,
+  LiveSessionInOlderCopy,
   PilotSessionHasBlanks,
   // Questions with a text to enter or a choice to make.
   DeviceFailure,

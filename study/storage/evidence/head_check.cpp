@@ -18,9 +18,13 @@ std::string asWords(const RecordedHead& noted) {
 
 /// The reason why the trail lacks a head, as far as the trail shows it.
 std::string reasonFor(const TrailHeads& trail, const RecordedHead& noted) {
-  const auto last = std::to_string(trail.lastEvent());
+  const auto last = std::to_string(trail.lastSharedEvent());
   if (trail.endsBefore(noted.head)) {
-    return "the trail ends with event " + last + ", and had gone on to " + asWords(noted) +
+    const auto goesOn = trail.lastSharedEvent() < trail.lastEvent()
+                            ? " (erasures that were repeated here follow)"
+                            : "";
+    return "the study's events in the trail end with event " + last + goesOn +
+           ", and had gone on to " + asWords(noted) +
            ": its end was cut off, or an older copy is in its place";
   }
   return "the trail is not the one that had " + asWords(noted) +

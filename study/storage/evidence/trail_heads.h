@@ -27,7 +27,9 @@ class TrailHeads {
 
   const std::vector<Signed>& all() const noexcept { return signed_; }
   std::int64_t lastEvent() const noexcept { return lastEvent_; }  ///< number of the last event
-  const std::string& study() const noexcept { return study_; }    ///< uuid
+  /// Number of the last event before the first erasure that was repeated in this copy only.
+  std::int64_t lastSharedEvent() const noexcept { return lastSharedEvent_; }
+  const std::string& study() const noexcept { return study_; }          ///< uuid
   const std::string& firstHash() const noexcept { return firstHash_; }  ///< hash of the first event
 
   /// Whether the trail has the events up to @p head unchanged, and the event that contains @p head.

@@ -1,4 +1,6 @@
 // The questions, saved answers and messages of the operator's window in a session.
+#include <filesystem>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +15,7 @@
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/operator/control_panel.h"
 #include "study/gui/operator/cut_table.h"
+#include "study/gui/operator/enrolment_check.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/participant/benchmark_page.h"
@@ -21,6 +24,7 @@
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/known_secret.h"
+#include "tests/study/made_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/support/scratch_folder.h"
 
@@ -95,7 +99,8 @@ TEST_F(OperatorSession, RefusesALiveSessionWithBlanksInTextsAndAsksBeforeAPilot)
       auto* box = qobject_cast<MessageBox*>(QApplication::activeModalWidget());
       if (box == nullptr) return;
       shown.push_back(box->topic());
-      EXPECT_TRUE(box->words().contains(QStringLiteral("consent-punch"), Qt::CaseInsensitive))
+      EXPECT_TRUE(box->words().contains(QStringLiteral("(10)"))) << "as in the form of the texts";
+      EXPECT_TRUE(box->words().contains(QStringLiteral("institution"), Qt::CaseInsensitive))
           << box->words().toStdString();
       answer(*box);
     });
@@ -128,6 +133,37 @@ TEST_F(OperatorSession, RefusesALiveSessionWithBlanksInTextsAndAsksBeforeAPilot)
     QTest::mouseClick(box.findChild<QPushButton*>(QStringLiteral("action")), Qt::LeftButton);
   });
   ASSERT_NE(window_.controller(), nullptr) << "a pilot session does not count";
+}
+
+TEST_F(OperatorSession, AsksBeforeALiveSessionInABackup) {
+  const tests::OwnStation station(folder_ / "station");
+  const std::string folder = folder_ / "own";
+  const std::string backup = folder_ / "backup";
+  {
+    auto own = Study::create(folder, protocol(), clock_, 7, tests::knownSecret());
+    own.note(EventKind::UnblindedResults, "an interim look");
+  }
+  std::filesystem::copy(folder, backup, std::filesystem::copy_options::recursive);
+  Study::open(folder, clock_).note(EventKind::UnblindedResults, "another one");
+  const auto mayBegin = [&](const std::string& where, RunMode mode) {
+    int questions = 0;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &look, [&questions] {
+      auto* question = qobject_cast<MessageBox*>(QApplication::activeModalWidget());
+      if (question == nullptr) return;
+      ++questions;
+      EXPECT_EQ(question->topic(), MessageTopic::LiveSessionInOlderCopy);
+      QTest::keyClick(question, Qt::Key_Return);
+    });
+    look.start(20);
+    auto opened = Study::open(where, clock_, storage::Database::Access::ReadOnly);
+    const bool isPossible = confirmNewestCopy(opened, {.runMode = mode}, &window_);
+    EXPECT_EQ(questions, isPossible ? 0 : 1);
+    return isPossible;
+  };
+  EXPECT_FALSE(mayBegin(backup, RunMode::Live));
+  EXPECT_TRUE(mayBegin(backup, RunMode::Pilot));
+  EXPECT_TRUE(mayBegin(folder, RunMode::Live));
 }
 
 TEST_F(OperatorSession, SavesTextTypedJustBeforeAPause) {
