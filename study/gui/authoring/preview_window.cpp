@@ -87,7 +87,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   constexpr int kLeastWidth = 640;  // [px]: of the bar in two lines
   inside->setMinimumWidth(kLeastWidth);
   setCentralWidget(inside);
-  resize(1360, 860);
+  resizeOnScreen(*this, {1360, 860});
   steps_->setAccessibleName(tr("Steps of the session"));
   steps_->setObjectName(QStringLiteral("steps"));
   steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

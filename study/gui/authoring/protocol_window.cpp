@@ -86,7 +86,7 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   constexpr int kLeastHeight = 520;  // [px]; a lower window is scrolled
   inside->setMinimumHeight(kLeastHeight);
   setCentralWidget(scrolled(inside, this));
-  resize(1240, 820);
+  resizeOnScreen(*this, {1240, 820});
   connectAll();
   showSource(source);
 }

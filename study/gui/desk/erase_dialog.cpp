@@ -8,6 +8,7 @@
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/model/new_file.h"
 #include "study/model/storage_error.h"
@@ -86,6 +87,7 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
   code_->setAccessibleName(tr("Type the code"));
   language_->setObjectName(QStringLiteral("language"));
   addLanguages(*language_, words::languages());
+  chooseLanguage(*language_, deskLanguage());
   runButton().setProperty("role", QStringLiteral("danger"));
   reseal_->setObjectName(QStringLiteral("reseal"));
   reseal_->setToolTip(tr(
@@ -168,7 +170,7 @@ void EraseDialog::work() {
       },
       BackgroundTask::Cancelling::Impossible);
   if (!isDone) return clear();
-  const auto certified = QString::fromStdString(asText(certificate));
+  const auto certified = QString::fromStdString(asText(certificate, words));
   const auto code = QString::fromStdString(request.participant);
   if (!whyNotSaved.empty()) {
     showOutcome(

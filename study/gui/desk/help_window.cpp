@@ -265,7 +265,7 @@ HelpWindow::HelpWindow(QWidget* parent)
   sides->setSizes({300, 800});
   sides->setStretchFactor(1, 1);
   setCentralWidget(sides);
-  resize(1100, 760);
+  resizeOnScreen(*this, {1100, 760});
   connect(searchField_, &QLineEdit::returnPressed, this, &HelpWindow::search);
   connect(searchField_, &QLineEdit::textEdited, this, [this] {
     text_->moveCursor(QTextCursor::Start);

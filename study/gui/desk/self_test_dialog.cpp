@@ -50,7 +50,7 @@ SelfTestDialog::SelfTestDialog(SelfTestOptions options, QWidget* parent)
   connect(beginButton_, &QPushButton::clicked, this, &SelfTestDialog::test);
   connect(details_, &QCheckBox::toggled, this, &SelfTestDialog::fill);
   details_->setVisible(false);
-  resize(1100, 640);
+  resizeOnScreen(*this, {1100, 640});
 }
 
 void SelfTestDialog::test() {

@@ -123,7 +123,7 @@ Tour::Tour(QWidget* parent)
     step() + 1 < kTourSteps ? goTo(step() + 1) : accept();
   });
   connect(&watch_, &QTimer::timeout, this, &Tour::showTrialState);
-  resize(1180, 760);
+  resizeOnScreen(*this, {1180, 760});
   goTo(0);
 }
 

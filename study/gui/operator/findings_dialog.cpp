@@ -53,7 +53,7 @@ FindingsDialog::FindingsDialog(
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   layout->addWidget(table_, 1);
   layout->addLayout(buttons);
-  resize(1000, 520);
+  resizeOnScreen(*this, {1000, 520});
   close->setFocus();
   show(found);
 }

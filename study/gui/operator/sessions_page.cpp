@@ -58,6 +58,15 @@ SessionsPage::SessionsPage(Study& study, StationPush& push, QWidget* parent)
   connect(send_, &QPushButton::clicked, &push_, &StationPush::send);
   connect(&push_, &StationPush::changed, this, &SessionsPage::showPush);
   refresh();
+  chooseUsualLanguage();
+}
+
+/// Chooses the language of the latest session of a person; in a new study, that of the desk.
+void SessionsPage::chooseUsualLanguage() {
+  chooseLanguage(*language_, deskLanguage());
+  for (const auto& session : storage::Records(study_.database()).sessions()) {
+    if (session.runMode != RunMode::Simulated) chooseLanguage(*language_, session.language);
+  }
 }
 
 QWidget* SessionsPage::makeList() {
@@ -220,7 +229,11 @@ void SessionsPage::fitActions(int width) {
 
 void SessionsPage::refresh() {
   attempt(this, MessageTopic::SessionsNotListed, [&] {
-    const auto sessions = storage::Records(study_.database()).sessions();
+    auto sessions = storage::Records(study_.database()).sessions();
+    // Simulated sessions have times of their own, and are listed below those of people.
+    const auto isOfPerson = [](const auto& one) { return one.runMode != RunMode::Simulated; };
+    const auto simulated = std::stable_partition(sessions.begin(), sessions.end(), isOfPerson);
+    lastOfPeople_ = static_cast<int>(simulated - sessions.begin()) - 1;
     unfinished_ = unfinishedSessions(study_);
     const auto& protocol = study_.protocol().protocol;
     fillTable(sessions, protocol);
@@ -262,7 +275,8 @@ void SessionsPage::fillTable(
     }
   }
   table_->clearSelection();
-  table_->scrollToBottom();
+  if (lastOfPeople_ < 0) return table_->scrollToBottom();
+  table_->scrollToItem(table_->item(lastOfPeople_, kCode));
 }
 
 /// Shows how many participants of each cohort have completed.

@@ -49,6 +49,7 @@ class SessionsPage final : public QWidget {
   QWidget* makeEnrolment();
   void fillTable(
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
+  void chooseUsualLanguage();
   void setMinimumHeights();
   void fitActions(int width);
   void fitColumns();
@@ -66,6 +67,7 @@ class SessionsPage final : public QWidget {
   QBoxLayout* columns_;
   std::vector<UnfinishedSession> unfinished_;
   QTableWidget* table_;
+  int lastOfPeople_ = -1;  ///< row of the latest session that was not simulated; -1: there is none
   QLabel* details_;
   QVBoxLayout* cohortProgress_;  ///< the progress of each cohort
   QComboBox* cohort_;

@@ -8,6 +8,7 @@
 #include <QEvent>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QStyle>
 
 #include "study/gui/widgets/desk_language.h"
@@ -192,9 +193,19 @@ void addLanguages(QComboBox& box, const std::vector<std::string>& tags) {
   }
 }
 
+void chooseLanguage(QComboBox& box, const std::string& tag) {
+  const int place = box.findData(QString::fromStdString(tag));
+  if (place >= 0) box.setCurrentIndex(place);
+}
+
 QString cohortTitle(const protocols::Protocol& protocol, const std::string& id) {
   const auto* cohort = protocol.cohort(id);
   return QString::fromStdString(cohort == nullptr ? id : cohort->title.in(deskLanguage()));
+}
+
+void resizeOnScreen(QWidget& window, const QSize& wanted) {
+  constexpr QSize kFrame(16, 48);  // [px]: a desktop tells its own only after it is shown
+  window.resize(wanted.boundedTo(window.screen()->availableSize() - kFrame));
 }
 
 QString signOf(Mark mark) {

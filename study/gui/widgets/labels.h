@@ -33,6 +33,8 @@ QString describeUnfinished(const UnfinishedSession& session);
 QString nativeName(const QString& language);
 /// Adds languages to choose from, each by its native name and with its tag as data.
 void addLanguages(QComboBox& box, const std::vector<std::string>& tags);
+/// Chooses the language @p tag; another one stays if it is not among those of the box.
+void chooseLanguage(QComboBox& box, const std::string& tag);
 /// The title of a cohort in the language of the desk; its id if only an earlier version of the
 /// protocol has the cohort.
 QString cohortTitle(const protocols::Protocol& protocol, const std::string& id);
@@ -71,6 +73,9 @@ template <class Layout>
 Layout* withoutMargins(QWidget* parent = nullptr, int spacing = -1) {
   return withMargins<Layout>(parent, {}, spacing);
 }
+
+/// Resizes a window to @p wanted, or to the room that its screen has for it and its frame.
+void resizeOnScreen(QWidget& window, const QSize& wanted);
 
 /// Changes the style of a label ("good", "warn", "resting", "bad", "quiet", "heading") or a button
 /// ("main", "tool"; "": as other buttons).

@@ -10,6 +10,7 @@
 #include <QFileDialog>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTest>
@@ -58,6 +59,14 @@ class ProtocolWindowTest : public testing::Test {
   tests::ScratchFolder folder_;
   std::string sound_ = shipped("punch-face-validity.json");
 };
+
+TEST_F(ProtocolWindowTest, OpensNoLargerThanTheScreen) {
+  ProtocolWindow window(QStringLiteral("punch-face-validity"));
+  const QSize screen = window.screen()->availableSize();
+  ASSERT_LT(screen.height(), 820) << "the height that it would like";
+  EXPECT_LT(window.height(), screen.height());
+  EXPECT_LT(window.width(), screen.width());
+}
 
 TEST_F(ProtocolWindowTest, ShowsTheMinutesOfThePlan) {
   ProtocolWindow window(QStringLiteral("punch-face-validity"));
