@@ -6,6 +6,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QRegularExpressionValidator>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -19,6 +20,9 @@
 
 namespace study::gui {
 namespace {
+
+/// The key of the blank for how long data are kept [years]; the texts name the unit.
+constexpr std::string_view kYearsBlank = "data_kept_years";
 
 /// The session's duration by the timeline [min], rounded up to a multiple of five.
 std::string estimatedMinutes(const protocols::LoadedProtocol& loaded) {
@@ -78,7 +82,7 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
   layout->addWidget(scrolled(inside, this), 1);
   layout->addWidget(progress_);
   layout->addWidget(buttons);
-  resize(820, 760);
+  resizeOnScreen(*this, {820, 760});
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(languages_, &QComboBox::currentIndexChanged, this, &TextsDialog::showLanguage);
@@ -103,6 +107,11 @@ void TextsDialog::addFields(const protocols::LoadedProtocol& loaded, QFormLayout
       title += tr(" (estimated from the timeline)");
     } else {
       field->setText(QString::fromStdString(blank.text.in("en")));
+    }
+    if (blank.key == kYearsBlank) {
+      static const QRegularExpression kNumber(QStringLiteral("\\d{1,3}"));
+      field->setValidator(new QRegularExpressionValidator(kNumber, field));
+      title += tr(" (a number)");
     }
     field->setAccessibleName(title);
     auto* label = bodyLabel(title, this);

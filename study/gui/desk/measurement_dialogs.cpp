@@ -6,6 +6,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QScreen>
 
 #include "haptics/models/interpolation.h"
@@ -48,6 +49,14 @@ std::array<double, 3> errorsOf(const haptics::reaming::TestSetFit& test) {
 QString newFile(const char* name, const char* extension) {
   return unusedPath(
       QDir(documentsFolder()).filePath(QString::fromUtf8(name)), QString::fromUtf8(extension));
+}
+
+/// Leaves a free name in @p field for the next file: "my-cut.json" → "my-cut-2.json".
+void nameNext(PathField& field) {
+  static const QRegularExpression kNumber(QStringLiteral("-\\d+$"));
+  const QFileInfo file(field.path());
+  const auto start = file.completeBaseName().remove(kNumber);
+  field.setPath(unusedPath(file.dir().filePath(start), QLatin1Char('.') + file.suffix()));
 }
 
 }  // namespace
@@ -217,14 +226,14 @@ void ImportCutDialog::work() {
   if (!isDone) return clear();
   std::vector<Note> more{{tr("Why this cut: %1").arg(deskText(report.reason))}};
   for (const auto& change : report.changes) more.push_back({capitalised(deskText(change))});
-  if (!report.isAltered()) {
-    return showWrittenFile(target_->path(), tr("Cut saved: %1").arg(target_->path()), more);
-  }
+  const bool isAltered = report.isAltered();
   showWrittenFile(
       target_->path(),
-      tr("Cut saved, but it is not what was recorded: %1").arg(peakInWords(report)),
+      isAltered ? tr("Cut saved, but it is not what was recorded: %1").arg(peakInWords(report))
+                : tr("Cut saved: %1").arg(target_->path()),
       more,
-      Outcome::Warning);
+      isAltered ? Outcome::Warning : Outcome::Good);
+  nameNext(*target_);
 }
 
 FitMaterialDialog::FitMaterialDialog(QWidget* parent)
@@ -291,6 +300,7 @@ void FitMaterialDialog::work() {
         {tr("Left out: %1").arg(asText(one.name + ": " + one.exclusion.words)), Mark::Warning});
   }
   showWrittenFile(target_->path(), tr("Material saved: %1").arg(target_->path()), notes);
+  nameNext(*target_);
   runButton().setText(tr("Fit again"));
 }
 
@@ -309,9 +319,9 @@ void FitMaterialDialog::showResult(const haptics::reaming::MaterialFit& fit) {
           words(tr("Test")),
           number(tr("Series")),
           number(tr("Depth [mm]")),
-          number(tr("Smallest")),
-          number(tr("Mean")),
-          number(tr("Largest"))}};
+          number(tr("Curve of the smallest force")),
+          number(tr("Curve of the mean force")),
+          number(tr("Curve of the largest force"))}};
   for (const auto& test : fit.sets) {
     const auto& [minimum, average, maximum] = errorsOf(test);
     table.rows.push_back(
@@ -339,14 +349,13 @@ BuildBoneDialog::BuildBoneDialog(QWidget* parent)
           PathField::Kind::NewFile, tr("New file"), tr("Packings (*.packing)"), this)) {
   spheres_->setRange(100, kMostSpheres);
   spheres_->setValue(kUsualSpheres);
-  spheres_->setGroupSeparatorShown(true);
   spheres_->setObjectName(QStringLiteral("spheres"));
   seed_->setRange(1, 1'000'000);
   target_->setObjectName(QStringLiteral("target"));
   target_->setPath(newFile("my-bone", ".packing"));
   form().addRow(tr("Spheres"), spheres_);
   addHint(tr("%1 are those of the published model. More of them are smaller, and take longer.")
-              .arg(spheres_->locale().toString(kUsualSpheres)));
+              .arg(kUsualSpheres));
   form().addRow(tr("Seed"), seed_);
   addHint(tr("The same number builds the same bone."));
   form().addRow(tr("To a new file"), target_);
@@ -381,6 +390,7 @@ void BuildBoneDialog::work() {
        {tr("Synthetic: nobody measured this bone."), Mark::Warning},
        {tr("It has no densities yet: the help says how to give it those of a material (On the "
            "command line).")}});
+  nameNext(*target_);
 }
 
 }  // namespace study::gui

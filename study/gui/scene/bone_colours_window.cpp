@@ -74,6 +74,7 @@ BoneColoursWindow::~BoneColoursWindow() {
 
 void BoneColoursWindow::removeColours(SphereColours colours) {
   colours_->removeItem(colours_->findData(static_cast<int>(colours)));
+  colours_->setVisible(colours_->count() > 1);
 }
 
 void BoneColoursWindow::choose(int index) {

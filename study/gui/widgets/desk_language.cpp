@@ -66,6 +66,8 @@ void setDeskLanguage(std::string_view language) {
 }
 
 void applyChosenLanguage() {
+  // Fields have numbers as sentences and files have them: with a point, in every language.
+  QLocale::setDefault(QLocale::c());
   const auto chosen = studioSettings().value(QLatin1String(kLanguageKey)).toString();
   const auto computer = QLocale::system().name().section(u'_', 0, 0);
   setDeskLanguage((chosen.isEmpty() ? computer : chosen).toStdString());

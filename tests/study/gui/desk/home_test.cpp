@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QProgressBar>
 #include <QTest>
 #include <QTimer>
@@ -103,6 +104,7 @@ TEST_F(HomeTest, SpeaksTheLanguageThatIsChosenAndRemembersIt) {
     }
     ADD_FAILURE() << "no language " << language;
   };
+  QLocale::setDefault(QLocale::German);
   choose("de");
   ASSERT_TRUE(QTest::qWaitFor([&] {
     return home.findChild<QPushButton*>(QStringLiteral("report"))->text() ==
@@ -114,6 +116,8 @@ TEST_F(HomeTest, SpeaksTheLanguageThatIsChosenAndRemembersIt) {
   setDeskLanguage("en");
   applyChosenLanguage();
   EXPECT_EQ(deskLanguage(), "de");
+  EXPECT_EQ(QLocale().toString(201532.5, 'f', 1), QStringLiteral("201532.5"))
+      << "fields have the point of sentences and files";
   setDeskLanguage("en");
 }
 
@@ -393,6 +397,8 @@ TEST_F(HomeTest, KeepsTheTextsOfALanguageWhenAnotherIsShown) {
   };
   const auto duration = field("duration")->text();
   ASSERT_FALSE(duration.isEmpty());
+  QTest::keyClicks(field("data_kept_years"), QStringLiteral("10 years"));
+  EXPECT_EQ(field("data_kept_years")->text(), QStringLiteral("10")) << "the texts name the unit";
   field("institution")->setText(QStringLiteral("Hospital"));
   field("contact")->setText(QStringLiteral("Eva"));
   show("de");

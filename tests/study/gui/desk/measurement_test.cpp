@@ -314,6 +314,8 @@ TEST_F(MeasurementTest, FitsAMaterialToAFolderOfSeries) {
   ASSERT_EQ(errors.rows.size(), 3U) << "one of each test";
   EXPECT_EQ(errors.rows[1][0], Cell(std::string("dynamic-1")));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "bone.json"));
+  EXPECT_TRUE(press(dialog).starts_with("✓")) << "fitted again, to the next free name";
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "bone-2.json"));
   tests::photographInAllThemes(dialog, QStringLiteral("fit-material-done"));
 }
 
