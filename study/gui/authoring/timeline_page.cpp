@@ -22,7 +22,8 @@ QString asMinutes(double seconds) {
 QString describeStep(const Step& step, const PartOfSession& part) {
   QString words = deskText(nameOf(step.kind));
   if (step.label > 0) words += TimelinePage::tr(", position %1").arg(step.position);
-  if (part.items > 0) words += TimelinePage::tr(", %1 items").arg(part.items);
+  if (part.items == 1) words += TimelinePage::tr(", 1 item");
+  if (part.items > 1) words += TimelinePage::tr(", %1 items").arg(part.items);
   if (part.cuts > 0) words += TimelinePage::tr(", at least %1 strokes").arg(part.cuts);
   return words;
 }
