@@ -275,7 +275,8 @@ void SessionsPage::fillTable(
     }
   }
   table_->clearSelection();
-  if (lastOfPeople_ < 0) return table_->scrollToBottom();
+  const bool isLast = lastOfPeople_ + 1 == table_->rowCount();
+  if (lastOfPeople_ < 0 || isLast) return table_->scrollToBottom();
   table_->scrollToItem(table_->item(lastOfPeople_, kCode));
 }
 

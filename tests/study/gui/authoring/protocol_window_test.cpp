@@ -245,6 +245,7 @@ TEST_F(ProtocolWindowTest, ReloadsAFileThatAnEditorReplacesRepeatedly) {
 TEST_F(ProtocolWindowTest, SavesAShippedProtocolAsOneOfOnesOwn) {
   studioSettings().clear();
   ProtocolWindow window(QStringLiteral("punch-counterbalanced"));
+  window.resize(1240, 820);  // the screen of tests is smaller
   window.show();
   QCoreApplication::processEvents();
   const auto* outer = qobject_cast<QScrollArea*>(window.centralWidget());
