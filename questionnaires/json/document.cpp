@@ -16,10 +16,15 @@ void Node::problem(std::string_view key, std::string what, std::string fix) cons
   problems_->add(pathOf(key), std::move(what), std::move(fix));
 }
 
+void Node::warn(std::string_view key, base::Message what, base::Message fix) const {
+  problems_->warn(pathOf(key), std::move(what), std::move(fix));
+}
+
 bool Node::isSound() const {
   const auto& all = problems_->all();
-  return std::none_of(
-      all.begin(), all.end(), [&](const auto& p) { return p.path.starts_with(path_); });
+  return std::none_of(all.begin(), all.end(), [&](const auto& p) {
+    return p.severity == Severity::Error && p.path.starts_with(path_);
+  });
 }
 
 bool Node::isObjectWithOnlyKeys(std::span<const std::string_view> names) const {

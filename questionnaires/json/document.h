@@ -83,7 +83,10 @@ class Node {
   /// Adds an error at the member @p key, or at this value itself if @p key is empty.
   void problem(std::string_view key, std::string what, std::string fix = {}) const;
 
-  /// Whether this value and all values inside it have no problem so far.
+  /// Adds a warning at the member @p key.
+  void warn(std::string_view key, base::Message what, base::Message fix) const;
+
+  /// Whether this value and all values inside it have no error so far.
   bool isSound() const;
 
   /// Reports every key that is not in @p known as a problem, with the most similar known key.
