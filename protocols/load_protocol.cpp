@@ -33,16 +33,24 @@ std::size_t largestFileSizeOf(const std::string& name) {
   return name.ends_with(kAnatomyExtension) ? kMaxAnatomyBytes : questionnaires::kLargestFile;
 }
 
+/// Where a protocol comes from.
+enum class Origin {
+  NewFile,  ///< a file of which a study may be made
+  Study     ///< an existing study, or a text whose limits are not checked
+};
+
 std::optional<LoadedProtocol> load(
     std::string_view json,
     const FileFinder& find,
     Problems& problems,
     Defaults defaults,
+    Origin origin,
     const FileFinder& copies = {}) {
   auto draft = readUnvalidatedProtocol(json, find, problems, defaults, copies);
   if (!draft) return std::nullopt;
   validate(*draft, problems);
   if (defaults == Defaults::Current) validateBenchmarks(*draft, problems);
+  if (origin == Origin::NewFile) validateNewFile(*draft, problems);
   if (problems.hasErrors()) return std::nullopt;
   addWarnings(draft->loaded, problems, defaults);
   fillInLabels(draft->loaded);
@@ -70,7 +78,7 @@ std::optional<std::string_view> libraryProtocol(std::string_view name) {
 std::optional<LoadedProtocol> loadProtocol(
     std::string_view json, const FileFinder& find, Problems& problems, Defaults defaults) {
   Problems found;
-  auto loaded = load(json, find, found, defaults);
+  auto loaded = load(json, find, found, defaults, Origin::Study);
   append(found, problems);
   return loaded;
 }
@@ -87,7 +95,7 @@ std::optional<LoadedProtocol> loadProtocol(
     return std::nullopt;
   };
   Problems found;
-  auto loaded = load(json, find, found, defaults, find);
+  auto loaded = load(json, find, found, defaults, Origin::Study, find);
   append(found, problems);
   return loaded;
 }
@@ -100,14 +108,24 @@ bool isInside(const fs::path& file, const fs::path& folder) {
   return !inFolder.empty() && *inFolder.begin() != "..";
 }
 
-std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& problems) {
+std::optional<LoadedProtocol> loadNew(
+    std::string_view json, const FileFinder& find, Problems& problems) {
+  Problems found;
+  auto loaded = load(json, find, found, Defaults::Current, Origin::NewFile);
+  append(found, problems);
+  return loaded;
+}
+
+}  // namespace
+
+std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems& problems) {
   std::error_code ignored;
   // a folder, such as that of a study, may have the name of a protocol in the library
   const bool isFile = fs::is_regular_file(path, ignored);
   const bool hasEnding = path.ends_with(kProtocolExtension);
   const auto name = hasEnding ? path.substr(0, path.size() - kProtocolExtension.size()) : path;
   if (const auto text = isFile ? std::nullopt : libraryProtocol(name)) {
-    return loadProtocol(
+    return loadNew(
         *text, [](const std::string&) { return std::nullopt; }, problems);
   }
   const bool isName = fs::path(path).filename() == path && !fs::path(path).has_extension();
@@ -139,19 +157,7 @@ std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& pro
         "import it as a cut, and name that as the 'cut' of a condition in a protocol");
     return std::nullopt;
   }
-  return loadProtocol(text, findBeside, problems);
-}
-
-}  // namespace
-
-std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems& problems) {
-  auto loaded = loadAnyFile(path, problems);
-  if (!loaded) return std::nullopt;
-  Problems limits;
-  validateLimits(loaded->protocol, limits);
-  append(limits, problems);
-  if (limits.hasErrors()) return std::nullopt;
-  return loaded;
+  return loadNew(text, findBeside, problems);
 }
 
 std::optional<LoadedProtocol> withTexts(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -16,6 +17,10 @@
 namespace protocols {
 
 using questionnaires::LocalizedText;
+
+/// The languages of the program's own texts in participants' windows (study/words/library). Texts
+/// of a protocol and of its questionnaires may be in other languages.
+inline constexpr std::array<std::string_view, 3> kWindowLanguages{"en", "de", "nb"};
 
 /// Metadata of a study for readers and catalogues.
 struct StudyMetadata {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "haptics/engine/built_in_models.h"
 #include "haptics/engine/model_names.h"
+#include "protocols/model/messages.h"
 #include "protocols/reading/cut_file.h"
 #include "protocols/reading/material_file.h"
 #include "protocols/reading/protocol_parts.h"
@@ -48,6 +50,28 @@ void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec
   if (isBothWays && cut.opening) spec.opening = curveOf(*cut.opening);
 }
 
+/// The difference between the largest and the smallest force of a curve [N].
+double swingOf(const std::vector<models::CurveNode<double>>& curve) {
+  const auto [least, most] = std::ranges::minmax(curve, {}, &models::CurveNode<double>::force);
+  return most.force - least.force;
+}
+
+/// Warns if the slope limit takes more than half of what the force of @p cut rises.
+void adviseOnSlopeLimit(
+    const Node& node, const haptics::recordings::Cut& cut, const engine::InterpolationSpec& spec) {
+  if (!spec.slopeLimit) return;
+  const double recorded = swingOf(nodesOf(cut.curve));
+  const double limited = swingOf(spec.curve);
+  if (limited >= 0.5 * recorded) return;
+  const auto inNewtons = [](double force) {
+    return questionnaires::shown(std::round(force * 100.0) / 100.0);
+  };
+  node.warn(
+      "slope_limit",
+      message("slope_limit_flattens", inNewtons(limited), inNewtons(recorded)),
+      message("slope_limit_flattens.fix"));
+}
+
 /// @param defaultExtrapolation  extrapolation if the file does not set it.
 MaybeSpec<engine::InterpolationSpec> readInterpolation(
     const Node& node, SceneSources& sources, models::Extrapolation defaultExtrapolation) {
@@ -67,6 +91,7 @@ MaybeSpec<engine::InterpolationSpec> readInterpolation(
   const auto* cut = sources.cut(name, node.pathOf("cut"));
   if (cut == nullptr) return std::nullopt;
   useCut(*cut, spec);
+  if (sources.defaults() != Defaults::Release01) adviseOnSlopeLimit(node, *cut, spec);
   return spec;
 }
 

@@ -251,20 +251,36 @@ void validateTorque(
       problems);
 }
 
-}  // namespace
-
-void validateLimits(const Protocol& protocol, questionnaires::Problems& problems) {
-  for (std::size_t i = 0; i < protocol.devices.size(); ++i) {
-    const auto& device = protocol.devices[i];
-    const std::string path = "$.devices[" + std::to_string(i) + "].";
-    if (device.maxForce > kPainlessForce) {
-      problems.add(
-          path + "max_force_n",
-          "a hand stands " + shown(kPainlessForce) +
-              " N without pain (ISO/TS 15066:2016, table A.2, hands and fingers), and this is " +
-              shown(device.maxForce) + " N",
-          "write " + shown(kPainlessForce) + " or less, and scale the scenes by 'force_scale'");
-    }
+/// Reports limits of @p device that cannot be kept or have no effect. Values that could not be read
+/// were reported already.
+void validateLimits(
+    const DeviceRequirement& device, const std::string& place, questionnaires::Problems& problems) {
+  const auto isRead = [&](const char* key) {
+    return std::ranges::none_of(problems.all(), [&](const auto& problem) {
+      return problem.path == place || problem.path == place + "." + key;
+    });
+  };
+  if (!isRead("kind") || !isRead("max_force_n")) return;
+  const std::string path = place + ".";
+  const double most = device.kind->simulatedMaxForce;
+  if (device.maxForce > most) {
+    problems.add(
+        path + "max_force_n",
+        "a " + std::string(device.kind->name) + " gives " + shown(most) +
+            " N (docs/devices.md, 'Saturation'), and this is " + shown(device.maxForce) +
+            " N: what is asked for beyond is not felt",
+        "write " + shown(most) +
+            " or less; scenes of bone can be scaled ('force_scale'), recorded cuts cannot");
+  }
+  if (device.maxForce > kPainlessForce) {
+    problems.add(
+        path + "max_force_n",
+        "a hand stands " + shown(kPainlessForce) +
+            " N without pain (ISO/TS 15066:2016, table A.2, hands and fingers), and this is " +
+            shown(device.maxForce) + " N",
+        "write " + shown(kPainlessForce) + " or less, and scale the scenes by 'force_scale'");
+  }
+  if (isRead("max_force_rate_n_per_s")) {
     validateRate(
         path + "max_force_rate_n_per_s",
         "force",
@@ -273,18 +289,63 @@ void validateLimits(const Protocol& protocol, questionnaires::Problems& problems
         device.maxForce,
         "shipped protocols have 500 for 8 N",
         problems);
-    if (device.maxForce > device.kind->simulatedMaxForce) {
-      problems.add(
-          path + "max_force_n",
-          "a " + std::string(device.kind->name) + " gives " +
-              shown(device.kind->simulatedMaxForce) +
-              " N (docs/devices.md, 'Saturation'), and this is " + shown(device.maxForce) +
-              " N: what is asked for beyond is not felt",
-          "write " + shown(device.kind->simulatedMaxForce) +
-              " or less; scenes of bone can be scaled ('force_scale'), recorded cuts cannot");
-    }
+  }
+  if (isRead("max_torque_nm") && isRead("max_torque_rate_nm_per_s")) {
     validateTorque(device, path, problems);
   }
+}
+
+std::string titleOf(const Cohort& cohort) {
+  return cohort.title.in("en");
+}
+
+std::string titleOf(const Condition& condition) {
+  return condition.title;
+}
+
+/// Reports a title that two things share, because reports name them by it.
+template <typename T>
+void checkTitles(
+    const std::vector<T>& things, const char* list, questionnaires::Problems& problems) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const auto title = titleOf(things[i]);
+    if (title.empty() || seen.insert(title).second) continue;
+    problems.add(
+        pathTo(list, i) + ".title",
+        "two " + std::string(list) + " have the title '" + shown(title) +
+            "', and reports name them by it",
+        "give each its own");
+  }
+}
+
+/// Reports equivalence margins as wide as the scale, within which every difference lies.
+void validateMargins(const UnvalidatedProtocol& draft, questionnaires::Problems& problems) {
+  const auto& families = draft.loaded.protocol.analysis.families;
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    const auto& family = families[i];
+    const auto* instrument = draft.loaded.instrument(family.instrument);
+    if (!family.equivalenceBound || instrument == nullptr) continue;
+    const auto scale = scaleOf(family, *instrument);
+    if (!scale || *family.equivalenceBound < scale->highest - scale->lowest) continue;
+    problems.add(
+        pathTo("analysis.families", i) + ".equivalence_bound",
+        "no difference can be larger: the scale goes from " + shown(scale->lowest) + " to " +
+            shown(scale->highest),
+        "write the largest difference that is still negligible, in points of the scale");
+  }
+}
+
+}  // namespace
+
+void validateNewFile(const UnvalidatedProtocol& draft, questionnaires::Problems& problems) {
+  const auto& protocol = draft.loaded.protocol;
+  for (std::size_t i = 0; i < protocol.devices.size(); ++i) {
+    validateLimits(protocol.devices[i], pathTo("devices", i), problems);
+  }
+  checkTitles(protocol.cohorts, "cohorts", problems);
+  checkTitles(protocol.conditions, "conditions", problems);
+  validateMargins(draft, problems);
 }
 
 }  // namespace protocols

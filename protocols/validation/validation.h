@@ -28,10 +28,11 @@ void validateBlocks(const UnvalidatedProtocol& draft, questionnaires::Problems& 
 /// of release 0.1, so that their protocols stay valid.
 void validateBenchmarks(const UnvalidatedProtocol& draft, questionnaires::Problems& problems);
 
-/// Reports force limits above what a hand bears without pain or above what the kind of device can
-/// render, and rate limits that are too high to have an effect. Called only for protocol files; an
-/// existing study keeps its limits.
-void validateLimits(const Protocol& protocol, questionnaires::Problems& problems);
+/// Reports what a new protocol file may not have, but an existing study keeps: force limits above
+/// what a hand bears without pain or above what the kind of device can render, rate limits that are
+/// too high to have an effect, two cohorts or conditions with one title, and equivalence margins
+/// that no difference exceeds.
+void validateNewFile(const UnvalidatedProtocol& draft, questionnaires::Problems& problems);
 
 /// Adds warnings on doubtful designs: a statement about the previous alternative that may have
 /// none, one order for all participants, a number of participants that does not balance the orders,
@@ -58,6 +59,20 @@ void addPoolingWarnings(const Protocol& protocol, questionnaires::Problems& prob
 
 /// Adds warnings on the planned comparisons, or on their absence.
 void addAnalysisWarnings(const Protocol& protocol, questionnaires::Problems& problems);
+
+/// Adds warnings on scenes that give hardly any force over the travel of their device, pull the
+/// hand, ask for more than the device may give (finite elements), or are those of another
+/// condition.
+void addForceWarnings(const Protocol& protocol, questionnaires::Problems& problems);
+
+/// Adds warnings on the plan of a study: families with a large alpha, a twin, or a score that many
+/// participants lack; questions before consent, trials after the debriefing,
+/// languages that the windows lack, a date that is none.
+void addPlanWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);
+
+/// Adds warnings on words in texts for participants: in braces that nothing fills in, or naming a
+/// condition.
+void addWordWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);
 
 /// Adds warnings on everything in a valid protocol that discloses the condition of an answer, so
 /// that no export of the study is blinded.

@@ -181,6 +181,9 @@ void addWarnings(const LoadedProtocol& loaded, Problems& problems, Defaults defa
     addReferentWarnings(loaded, problems);
     addItemWarnings(loaded, problems);
     addPoolingWarnings(loaded.protocol, problems);
+    addForceWarnings(loaded.protocol, problems);
+    addPlanWarnings(loaded, problems);
+    addWordWarnings(loaded, problems);
   }
   advice.addUnusedPartWarnings();
 }
