@@ -1,12 +1,51 @@
 #include "questionnaires/json/document.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "base/joined.h"
 #include "base/search.h"
 
 namespace questionnaires {
+namespace {
+
+/// Advice where a number is expected and @p value may be a number in quotation marks: "8", "60 s",
+/// "0,5". Otherwise @p usual.
+std::string adviceOnNumber(const Value& value, const std::string& usual) {
+  const auto* text = std::get_if<std::string>(&value.data);
+  if (text == nullptr) return usual;
+  const auto end = text->find_first_not_of("0123456789.,-+");
+  auto number = text->substr(0, end);
+  std::ranges::replace(number, ',', '.');
+  const bool isNumber = number.find_first_of("0123456789") != std::string::npos &&
+                        std::ranges::count(number, '.') <= 1;
+  if (!isNumber) return usual;
+  return (end == std::string::npos ? "write it without quotation marks: "
+                                   : "write the number alone, without quotation marks: ") +
+         shown(number);
+}
+
+/// Advice where true or false is expected.
+std::string adviceOnFlag(const Value& value) {
+  const auto* text = std::get_if<std::string>(&value.data);
+  return text == nullptr ? "" : "write true or false, without quotation marks";
+}
+
+/// The longest of @p names with which @p word begins: "holm" of "holm-bonferroni".
+std::optional<std::string_view> beginningOf(
+    std::string_view word, std::span<const std::string_view> names) {
+  constexpr std::size_t kShortest = 3;
+  std::optional<std::string_view> longest;
+  for (const auto name : names) {
+    if (name.size() < kShortest || !word.starts_with(name)) continue;
+    if (!longest || name.size() > longest->size()) longest = name;
+  }
+  return longest;
+}
+
+}  // namespace
 
 std::string Node::pathOf(std::string_view key) const {
   return key.empty() ? path_ : path_ + "." + shown(key);
@@ -116,7 +155,7 @@ std::optional<double> Node::numberIn(
   } else if (const auto* real = std::get_if<double>(&value.data)) {
     number = *real;
   } else {
-    problem(key, "a number is expected here, not " + typeName(value));
+    problem(key, "a number is expected here, not " + typeName(value), adviceOnNumber(value, ""));
     return std::nullopt;
   }
   if (!(number >= least && number <= most)) {
@@ -148,7 +187,7 @@ std::optional<std::int64_t> Node::wholeNumberIn(
         key,
         std::string("a whole number is expected here, not ") +
             (isFraction ? "one with a decimal point" : typeName(value)),
-        "write it with digits only, without a decimal point");
+        adviceOnNumber(value, "write it with digits only, without a decimal point"));
     return std::nullopt;
   }
   if (*whole < least || *whole > most) {
@@ -176,7 +215,7 @@ bool Node::flag(std::string_view key, bool fallback) const {
   const Value* value = find(key);
   if (value == nullptr) return fallback;
   if (const auto* flag = std::get_if<bool>(&value->data)) return *flag;
-  problem(key, "true or false is expected here, not " + typeName(*value));
+  problem(key, "true or false is expected here, not " + typeName(*value), adviceOnFlag(*value));
   return fallback;
 }
 
@@ -191,7 +230,8 @@ std::optional<std::size_t> Node::indexIn(const std::vector<std::string_view>& na
   }
   const auto found = std::find(names.begin(), names.end(), *text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  const auto meant = nearest(*text, names);
+  const auto begun = beginningOf(*text, names);
+  const auto meant = begun ? begun : nearest(*text, names);
   problem(
       "",
       "unknown word '" + shown(*text) + "'",

@@ -101,11 +101,11 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
       return false;
     }
     const std::string near = lastToken.empty() ? "" : ", near '" + tokenEnd(lastToken) + "'";
-    addProblem(
-        position,
-        where + ": this is not JSON" + near,
-        "look for a missing comma, quote or bracket just before it; JSON has no comments, no NaN "
-        "and no text after its last bracket");
+    if (!utf8CharacterCount(text_)) {
+      addProblem(position, where + ": this is not JSON in UTF-8", "save the file as UTF-8");
+      return false;
+    }
+    addProblem(position, where + ": this is not JSON" + near, adviceOn(position, lastToken));
     return false;
   }
 
@@ -115,6 +115,33 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
     std::size_t elements = 0;
     std::unordered_set<std::string> keys{};
   };
+
+  /// Advice on a token that JSON does not allow where it ends at @p position.
+  std::string adviceOn(std::size_t position, const std::string& token) const {
+    const auto upTo = text_.substr(0, std::min(position, text_.size()));
+    const auto before = upTo.substr(0, upTo.size() - std::min(token.size(), upTo.size()));
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    const bool isDecimalComma = before.size() > 1 && before.back() == ',' &&
+                                isDigit(before[before.size() - 2]) && !token.empty() &&
+                                isDigit(token.front());
+    if (isDecimalComma) return "write numbers with a decimal point: 0.05";
+    // the text, since the parser's token of a bracket or comma has what stands before it as well
+    const char end = upTo.empty() ? '\0' : upTo.back();
+    const auto rest = upTo.substr(0, upTo.empty() ? 0 : upTo.size() - 1);
+    const auto last = rest.find_last_not_of(" \t\r\n");
+    const char previous = last == std::string_view::npos ? '\0' : rest[last];
+    const bool isAtEnd = (end == ']' || end == '}') && previous == ',';
+    const bool isAtComma = end == ',' && (previous == ',' || previous == '[' || previous == '{');
+    if (isAtEnd || isAtComma) return "remove the comma that is too many";
+    constexpr std::string_view kCurlyQuotes = "\xE2\x80";  // the first two bytes of each
+    const auto start = upTo.empty() ? 0 : upTo.size() - 1;
+    const bool isCurly = text_.substr(start).starts_with(kCurlyQuotes) ||
+                         token.find(kCurlyQuotes) != std::string::npos;
+    if (isCurly) return "write straight quotation marks: \"…\"";
+    return "look for a missing comma, quote or bracket just before it; JSON has no comments, no "
+           "NaN "
+           "and no text after its last bracket";
+  }
 
   /// Adds a problem about the JSON syntax.
   void addProblem(std::size_t position, std::string what, std::string fix) {

@@ -46,6 +46,27 @@ TEST_F(NodeTest, TakesNeitherTruthNorTextForANumber) {
   EXPECT_NE(said().find("not null"), std::string::npos);
 }
 
+TEST_F(NodeTest, SaysThatTheQuotationMarksOfANumberAreTheFault) {
+  read(R"({"n": "8"})").wholeNumber("n", 0, 9, 7);
+  EXPECT_TRUE(said().ends_with("; write it without quotation marks: 8\n"));
+  read(R"({"n": "0,5"})").number("n", 0, 9, 7);
+  EXPECT_TRUE(said().ends_with("; write it without quotation marks: 0.5\n"));
+  read(R"({"n": "60 s"})").number("n", 0, 99, 7);
+  EXPECT_TRUE(said().ends_with("; write the number alone, without quotation marks: 60\n"));
+  read(R"({"n": "many"})").number("n", 0, 99, 7);
+  EXPECT_TRUE(said().ends_with("not a text\n"));
+  read(R"({"f": "yes"})").flag("f", false);
+  EXPECT_TRUE(said().ends_with("; write true or false, without quotation marks\n"));
+}
+
+TEST_F(NodeTest, KnowsAWordByItsBeginning) {
+  constexpr std::array kWords{
+      Choice<int>{"none", 0}, Choice<int>{"bonferroni", 1}, Choice<int>{"holm", 2}};
+  read(R"({"w": "holm-bonferroni"})").choice("w", kWords);
+  const auto words = said();
+  EXPECT_NE(words.find("did you mean 'holm'?"), std::string::npos) << words;
+}
+
 TEST_F(NodeTest, KeepsWholeNumbersThatADoubleCannot) {
   EXPECT_EQ(read(R"({"n": 9007199254740993})").wholeNumber("n", 0, kMost), 9007199254740993);
   EXPECT_EQ(read(R"({"n": 4294967297})").wholeNumber("n", 0, kMost), 4294967297);  // 2^32 + 1

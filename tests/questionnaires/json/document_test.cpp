@@ -146,8 +146,6 @@ TEST(ParseJson, RefusesWhatJsonHasNot) {
   for (const auto* json :
        {"",
         "{} {}",
-        "[1,]",
-        "{\"a\":1,}",
         "// comment\n{}",
         "{} /* comment */",
         "{'a': 1}",
@@ -159,6 +157,25 @@ TEST(ParseJson, RefusesWhatJsonHasNot) {
     const auto problem = refusal(json);
     EXPECT_NE(base::describe(problem.what).find("this is not JSON"), std::string::npos) << json;
     EXPECT_NE(base::describe(problem.fix).find("JSON has no comments"), std::string::npos) << json;
+  }
+}
+
+TEST(ParseJson, SaysWhatIsWrongWithCommasQuotesAndEncodings) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"[1,]", "remove the comma"},
+      {"{\"a\":1,}", "remove the comma"},
+      {"{\"a\": 1,\n , \"b\": 2}", "remove the comma"},
+      {"[1,, 2]", "remove the comma"},
+      {"{\"a\": 0,05}", "decimal point"},
+      {"{\"a\": \xE2\x80\x9Cx\xE2\x80\x9D}", "straight quotation marks"},
+      {"{\"a\": \"H\xFC"
+       "fte\"}",
+       "save the file as UTF-8"},
+      {std::string("\xFF\xFE{\0}\0", 6), "save the file as UTF-8"},
+  };
+  for (const auto& [json, fix] : cases) {
+    EXPECT_NE(base::describe(refusal(json).fix).find(fix), std::string::npos)
+        << json << base::describe(refusal(json).fix);
   }
 }
 
