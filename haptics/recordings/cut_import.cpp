@@ -178,6 +178,41 @@ void addSensorWarnings(
   if (saturated > 0) report.changes.push_back(importMessage("rows_saturated", saturated));
 }
 
+/// Adds doubts about the unit and the sign of the force and about the ends of the travel.
+void addDoubts(const Trace& trace, ImportReport& report) {
+  constexpr double kLeastPeak = 0.1;    // [N]; a hand feels no less
+  constexpr double kMostPeak = 200.0;   // [N]; a hand squeezes no harder
+  constexpr double kMostTravel = 20.0;  // [travel units]; 10 is closed
+  const auto negative =
+      std::ranges::count_if(trace.force, [](double force) { return force < 0.0; });
+  const auto [least, most] = std::ranges::minmax(trace.travel);
+  const bool isTurned =
+      10 * negative > 9 * std::ssize(trace.force) && std::ranges::min(trace.force) < -kLeastPeak;
+  const bool isOfOtherUnit = report.peakBefore < kLeastPeak || report.peakBefore > kMostPeak;
+  std::vector<base::Message> doubts;
+  if (isTurned) {
+    doubts.push_back(importMessage("forces_negative"));
+  } else if (isOfOtherUnit) {
+    doubts.push_back(importMessage("peak_unlikely", report.peakBefore));
+  }
+  if (most > kMostTravel || least < -kMostTravel) {
+    doubts.push_back(importMessage("travel_unlikely", least, most));
+  }
+  report.changes.insert(report.changes.begin(), doubts.begin(), doubts.end());
+}
+
+/// @throws UserError  with the first line that could not be read, if there is no closure and there
+///     are such lines.
+void requireLinesOfClosures(const Recording& recording, const ImportReport& report) {
+  if (!report.survey.closures.empty() || recording.refusedLines.empty()) return;
+  const auto& first = recording.refusedLines.front();
+  throw base::UserError(
+      "There is no closure in '" + recording.source + "': its travel never rises above 7. " +
+      std::to_string(recording.refusedCount) + " of its " + std::to_string(recording.lines) +
+      " lines could not be read, the first in line " + std::to_string(first.number) + " (" +
+      first.reason + "): correct them, or choose rows.");
+}
+
 CutLandmarks landmarksOf(
     const ImportReport& report, const Trace& trace, const ForceCurve& curve, double yieldLoad) {
   if (report.closures.size() == 1) {
@@ -242,6 +277,7 @@ ImportedCut importCut(const Recording& recording, const ImportOptions& options) 
       options.calibration ? *options.calibration : calibrationFor(recording);
   const Trace trace = traceOf(recording, calibration, options.filter);
   ImportReport report{.survey = summariseCuts(recording, trace, options.yieldLoad)};
+  if (!options.rows) requireLinesOfClosures(recording, report);
   CutChoice choice = chooseCut(trace, report.survey.closures, options, recording.source);
   report.closures = std::move(choice.closures);
   report.rows = std::move(choice.rows);
@@ -253,6 +289,7 @@ ImportedCut importCut(const Recording& recording, const ImportOptions& options) 
   reportPeak(report);
   auto opening = openingBranchOf(trace, options.maxSlope, report);
   addSensorWarnings(recording, calibration, report);
+  addDoubts(trace, report);
   Cut cut{
       .name = options.name,
       .title = options.title,

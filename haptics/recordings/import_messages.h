@@ -34,6 +34,13 @@ inline constexpr auto kImportMessages = std::to_array<base::MessageKind>({
     {"rows_above_calibration", "{} rows read more than {:g} {}, beyond the sensor's calibration"},
     {"rows_beyond_calibration",
      "{} rows read less than {:g} or more than {:g} {}, beyond the sensor's calibration"},
+    {"forces_negative",
+     "the force is negative almost everywhere: if pressing gives negative values, write the "
+     "'factor' -1 into the columns file"},
+    {"peak_unlikely", "the peak is {:.4g} N: is the unit of the force right?"},
+    {"travel_unlikely",
+     "the travel goes from {:.1f} to {:.1f}, and 0 is open, 10 closed: are 'open' and 'closed' "
+     "right?"},
     {"rows_saturated", "{} rows were saturated: their force is a lower bound"},
 });
 

@@ -26,8 +26,8 @@ ForceCalibration calibrationFor(const Recording& recording) {
   if (recording.calibration) return *recording.calibration;
   throw base::UserError(
       "The forces of '" + recording.source + "' are readings in " + recording.readingUnit +
-      ", and it is not known what they are in newtons. Calibrate the sensor ('palpate recording "
-      "calibrate') and name its file.");
+      ", and it is not known what they are in newtons. Write N, mN, kN, g or kg if that is their "
+      "unit, or calibrate the sensor ('palpate recording calibrate') and name its file.");
 }
 
 Trace traceOf(

@@ -38,7 +38,7 @@ void requireRate(double rate, double cutoff) {
         "The recording has " + decimal(rate, 1) + " rows a second; a filter of " +
         decimal(cutoff, 2) + " Hz needs more than " + decimal(2.0 * cutoff, 2) +
         ". Choose a lower cut-off (filter 'butterworth-zero-phase'), or leave the travel as it is "
-        "(filter 'none').");
+        "(filter 'none'). If these are too few rows, the unit of the time may be wrong.");
   }
 }
 
@@ -49,7 +49,8 @@ KaiserLowPass::Design designAt(double rate) {
   if (design.taps > kMostTaps) {
     throw base::UserError(
         "The recording has " + decimal(rate, 0) +
-        " rows a second, more than this filter is made for: keep every tenth row.");
+        " rows a second, more than this filter is made for. The unit of the time may be wrong; "
+        "otherwise keep every tenth row.");
   }
   design.sampleRate = rate;
   return design;

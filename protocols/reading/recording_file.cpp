@@ -165,6 +165,15 @@ ColumnsFile readColumnsRoot(const Node& root) {
   if (const auto time = root.requiredObject("time")) readTime(*time, columns);
   if (const auto travel = root.requiredObject("travel")) readTravel(*travel, columns);
   if (const auto force = root.requiredObject("force")) readForce(*force, columns);
+  const auto isSame = [&](const TableColumn& other) {
+    return columns.force.heading == other.heading && columns.force.number == other.number;
+  };
+  if (root.isSound() && (isSame(columns.travel) || (columns.time && isSame(*columns.time)))) {
+    root.problem(
+        "force.column",
+        "this is the column of the travel or of the time, too",
+        "name the column of the force");
+  }
   file.calibrationFile = root.text("calibration", "");
   if (columns.readingUnit == "N" && !file.calibrationFile.empty()) {
     root.problem("calibration", "the forces are in newtons already", "leave the calibration out");

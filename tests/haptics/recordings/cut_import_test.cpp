@@ -195,6 +195,48 @@ TEST(CutImport, ReportsARecordingWithoutAClosure) {
       "was told both end positions, or choose rows.");
 }
 
+TEST(CutImport, NamesALineThatCouldNotBeReadBesideAMissingClosure) {
+  auto recording = made({.scales = {}});
+  recording.refusedCount = 2;
+  recording.refusedLines = {{.number = 3, .reason = "6 numbers instead of 5"}};
+  expectMentions(complaintAbout(recording), "2 of its ");
+  expectMentions(complaintAbout(recording), "the first in line 3 (6 numbers instead of 5)");
+}
+
+/// made() with its forces multiplied.
+Recording withForces(double factor) {
+  auto recording = made();
+  for (double& coefficient : recording.calibration->coefficients) coefficient *= factor;
+  return recording;
+}
+
+/// The keys of all changes that are doubts.
+std::string doubtsIn(const Recording& recording) {
+  std::string doubts;
+  for (const auto& change : importCut(recording, {.closures = {1}}).report.changes) {
+    const auto key = change.key();
+    if (key == "forces_negative" || key == "peak_unlikely" || key == "travel_unlikely") {
+      doubts.append(doubts.empty() ? "" : " ").append(key);
+    }
+  }
+  return doubts;
+}
+
+TEST(CutImport, DoubtsUnitsThatNoHandHas) {
+  EXPECT_EQ(doubtsIn(made()), "");
+  EXPECT_EQ(doubtsIn(withForces(1000.0)), "peak_unlikely");
+  EXPECT_EQ(doubtsIn(withForces(0.001)), "peak_unlikely");
+  auto wide = made();
+  for (auto& row : wide.rows) row.travel *= 10.0;
+  EXPECT_EQ(doubtsIn(wide), "travel_unlikely");
+}
+
+TEST(CutImport, DoubtsForcesThatAreNegativeAlmostEverywhere) {
+  auto recording = withForces(-1.0);
+  recording.calibration->coefficients[0] -= 0.2;
+  EXPECT_EQ(doubtsIn(recording), "forces_negative");
+}
+
 TEST(CutImport, ReportsClosuresThatAreAllClipped) {
   EXPECT_EQ(
       complaintAbout(made({.scales = {2.5, 3.0}})),

@@ -68,6 +68,15 @@ TEST(ColumnsFile, NamesEveryMistakeInOneReading) {
   EXPECT_TRUE(says(problems, "offset"));
 }
 
+TEST(ColumnsFile, RefusesOneColumnForTheTravelAndTheForce) {
+  expectMentions(
+      problemsOf(
+          R"({"format": "palpate-columns-1", "time": {"column": "t", "unit": "s"},
+              "travel": {"column": "x", "open": 0, "closed": 10},
+              "force": {"column": "x", "unit": "N"}})"),
+      "$.force.column: this is the column of the travel or of the time, too");
+}
+
 TEST(ColumnsFile, RefusesACalibrationOfNewtons) {
   EXPECT_TRUE(says(
       problemsOf(
