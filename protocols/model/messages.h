@@ -27,8 +27,8 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"blank_left_in.fix", "write it into 'texts' of the protocol"},
     {"no_texts_in", "'{}' has no texts in '{}'"},
     {"no_texts_in.fix",
-     "English will be shown instead; 'palpate instrument wording {} --language {}' writes a file "
-     "for them"},
+     "English will be shown instead; 'palpate instrument wording {} --language {} --out {}', in "
+     "the folder of the protocol, writes a file for them"},
     {"language_of_windows",
      "the program has no words of its own in '{}': buttons and instructions are in English there"},
     {"language_of_windows.fix", "it speaks {}; your own texts may be in any language"},

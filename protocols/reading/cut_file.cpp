@@ -45,18 +45,23 @@ void readLandmarks(const Node& node, Cut& cut) {
 /// The curve; std::nullopt if its travel does not increase from point to point.
 std::optional<ForceCurve> readCurve(const Node& root, const char* key) {
   std::vector<CurvePoint> points;
+  std::vector<Node> falling;  // whose travel does not rise from the point before
   bool isSound = true;
   for (const auto& node : root.requiredList(key)) {
     const auto point = readPoint(node);
     const bool rises = !point || points.empty() || point->travel > points.back().travel;
-    if (!rises) {
-      node.problem(
-          "travel",
-          "the travel does not rise from the point before",
-          "list the points in the order of their travel, each travel once");
-    }
+    if (!rises) falling.push_back(node);
     isSound = isSound && point && rises;
     if (point) points.push_back(*point);
+  }
+  if (!falling.empty()) {
+    const auto more = falling.size() == 1 ? std::string()
+                                          : ", nor at " + std::to_string(falling.size() - 1) +
+                                                " points that follow";
+    falling.front().problem(
+        "travel",
+        "the travel does not rise from the point before" + more,
+        "list the points in the order of their travel, each travel once");
   }
   if (isSound && points.size() == 1) {
     root.problem(key, "one point is no curve", "list two or more");

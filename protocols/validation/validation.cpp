@@ -1,6 +1,7 @@
 #include "protocols/validation/validation.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <string>
 
@@ -154,14 +155,25 @@ std::string namesOfTheLibrary() {
   return names;
 }
 
+/// The fix if @p id is unknown: the id that the file of that name has, or the names of the library.
+std::string adviceOnInstrument(const LoadedProtocol& loaded, const std::string& id) {
+  const auto& files = loaded.protocol.instrumentFiles;
+  for (std::size_t i = 0; i < files.size() && i < loaded.instruments.size(); ++i) {
+    if (std::filesystem::path(files[i]).stem() != id) continue;
+    return "the file '" + shown(files[i]) + "' holds the instrument '" + loaded.instruments[i].id +
+           "': write that id here, or change it in the file";
+  }
+  return "name one of the library (" + namesOfTheLibrary() +
+         "), or list its file in 'instrument_files'";
+}
+
 void checkInstrument(
     const UnvalidatedProtocol& draft, const InstrumentUse& use, Problems& problems) {
   if (draft.lacksInstrument(use.instrument)) {
     problems.add(
         use.path,
         "there is no instrument '" + shown(use.instrument) + "'",
-        "name one of the library (" + namesOfTheLibrary() +
-            "), or list its file in 'instrument_files'");
+        adviceOnInstrument(draft.loaded, use.instrument));
   }
   const auto* instrument = draft.loaded.instrument(use.instrument);
   if (instrument != nullptr) checkInstrumentFitsPhase(*instrument, use.phase, use.path, problems);

@@ -9,6 +9,7 @@
 #include "protocols/validation/validation.h"
 #include "questionnaires/reading/instrument_file.h"
 #include "questionnaires/reading/instrument_problems.h"
+#include "questionnaires/reading/wording.h"
 
 namespace protocols {
 namespace {
@@ -104,11 +105,18 @@ class ProtocolWarningCheck {
 
   void warnOfLanguages(const Instrument& instrument, const std::string& path) {
     for (const auto& language : protocol_.languages) {
-      if (base::contains(instrument.languages, language)) continue;
+      // texts in a language that the instrument does not list were reported already
+      const bool hasTexts =
+          base::contains(instrument.languages, language) || instrument.title.has(language);
+      if (hasTexts) continue;
       problems_.warn(
           path,
           message("no_texts_in", instrument.id, language),
-          message("no_texts_in.fix", instrument.id, language));
+          message(
+              "no_texts_in.fix",
+              fileOf(instrument),
+              language,
+              questionnaires::wordingFileName(instrument.id, language)));
     }
   }
 
@@ -121,6 +129,13 @@ class ProtocolWarningCheck {
     });
     if (times > 1) return;
     problems_.warn(path, message("asked_once", instrument.id), message("asked_once.fix"));
+  }
+
+  /// The instrument as commands name it: by its file, or by its id in the library.
+  std::string fileOf(const Instrument& instrument) const {
+    if (!isFromFile(instrument)) return instrument.id;
+    return protocol_
+        .instrumentFiles[static_cast<std::size_t>(&instrument - loaded_.instruments.data())];
   }
 
   /// Whether the instrument was read from a file. Its warnings were then reported already.

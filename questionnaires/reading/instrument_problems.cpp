@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 #include "base/search.h"
 #include "questionnaires/json/document.h"
@@ -64,6 +65,31 @@ void inspectCondition(
   }
 }
 
+/// Warns if an item before it, of the same set, reads the same.
+void warnOfSameText(
+    const Instrument& instrument, std::size_t index, const std::string& path, Problems& problems) {
+  const Item& item = instrument.items[index];
+  const auto end = instrument.items.begin() + static_cast<std::ptrdiff_t>(index);
+  const auto twin = std::find_if(instrument.items.begin(), end, [&](const Item& other) {
+    return other.set == item.set && other.text.has("en") && other.text == item.text;
+  });
+  // items between two words, and choices of one of two, are told apart by these
+  const bool isOfWords =
+      item.type == ItemType::SemanticDifferential || item.type == ItemType::PairwiseChoice;
+  if (twin == end || isOfWords) return;
+  problems.warn(path + ".text", warning("same_text", twin->id), warning("same_text.fix"));
+}
+
+void warnOfSameEnds(const Item& item, const std::string& path, Problems& problems) {
+  const bool isOfWords =
+      item.type == ItemType::SemanticDifferential || item.type == ItemType::Slider;
+  const bool isOfLabels = item.type == ItemType::Likert && item.scale.pointLabels.empty();
+  const auto& low = isOfWords ? item.leftText : item.scale.lowLabel;
+  const auto& high = isOfWords ? item.rightText : item.scale.highLabel;
+  if ((!isOfWords && !isOfLabels) || !low.has("en") || low != high) return;
+  problems.warn(path, warning("same_ends"), warning("same_ends.fix"));
+}
+
 void inspectItems(const Instrument& instrument, Problems& problems) {
   std::set<std::string> ids;
   for (std::size_t i = 0; i < instrument.items.size(); ++i) {
@@ -74,6 +100,8 @@ void inspectItems(const Instrument& instrument, Problems& problems) {
           path + ".id", "two items share the id '" + shown(item.id) + "'", "give each its own");
     }
     inspectItem(instrument, item, path, problems);
+    warnOfSameText(instrument, i, path, problems);
+    warnOfSameEnds(item, path, problems);
     inspectCondition(instrument, i, path, problems);
   }
 }
@@ -91,6 +119,29 @@ void inspectScores(const Instrument& instrument, Problems& problems) {
   }
 }
 
+/// Replaces the warnings on texts in a language that is not listed by one for each language.
+Problems withOneForEachLanguage(const Problems& problems) {
+  const auto isUnlisted = [](const Problem& problem) {
+    return problem.what.key() == "language_not_listed";
+  };
+  Problems fewer;
+  std::vector<base::Message> told;
+  for (const auto& problem : problems.all()) {
+    const auto isSame = [&](const Problem& other) { return other.what == problem.what; };
+    const auto count = isUnlisted(problem) ? std::ranges::count_if(problems.all(), isSame) : 1;
+    if (count == 1) {
+      fewer.add(problem);
+    } else if (!base::contains(told, problem.what)) {
+      told.push_back(problem.what);
+      fewer.warn(
+          "$.languages",
+          warning("texts_not_listed", count, problem.what.arguments().front()),
+          problem.fix);
+    }
+  }
+  return fewer;
+}
+
 }  // namespace
 
 Problems problemsOf(const Instrument& instrument) {
@@ -100,7 +151,7 @@ Problems problemsOf(const Instrument& instrument) {
   inspectItems(instrument, problems);
   inspectScores(instrument, problems);
   inspectConsistency(instrument, problems);
-  return problems;
+  return withOneForEachLanguage(problems);
 }
 
 }  // namespace questionnaires

@@ -23,6 +23,12 @@ inline constexpr auto kWarnings = std::to_array<base::MessageKind>({
     {"some_pairs_asked.fix", "some items can gather more weight than others: is that meant?"},
     {"language_not_listed", "a text in '{}', which is not among the languages of the instrument"},
     {"language_not_listed.fix", "add '{}' to $.languages, or remove the text"},
+    {"texts_not_listed",
+     "{} texts are in '{}', which is not among the languages of the instrument"},
+    {"same_text", "'{}' has the same text"},
+    {"same_text.fix", "tell the two items apart"},
+    {"same_ends", "both ends of the scale read the same"},
+    {"same_ends.fix", "write what each end means"},
     {"blank_left", "still to be filled in: {}"},
     {"blank_left.fix", "write it into 'texts' of the protocol, or into this file"},
 });

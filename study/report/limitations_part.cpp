@@ -19,7 +19,7 @@ constexpr std::size_t kMostLimitationsOnFirstPage = 4;
 constexpr std::ptrdiff_t kLastSeverityBeforeDisclosures = 2;
 
 /// Warnings about a study's files that say nothing about its results.
-constexpr std::array<std::string_view, 17> kFileWarnings{
+constexpr std::array<std::string_view, 18> kFileWarnings{
     "no_normals",
     "normals_without_direction",
     "knee_never_seen",
@@ -28,6 +28,7 @@ constexpr std::array<std::string_view, 17> kFileWarnings{
     "no_text",
     "no_texts_in",
     "language_not_listed",
+    "texts_not_listed",
     "language_of_windows",
     "braces_not_known",
     "date_not_iso",

@@ -125,9 +125,37 @@ TEST(ProblemsOf, ASharedScaleAreReportedOnce) {
   instrument.items[0].scale = *instrument.scale;
   instrument.items.push_back(instrument.items[0]);
   instrument.items[1].id = "b";
+  instrument.items[1].text = english("b");
   const auto problems = problemsOf(instrument);
   ASSERT_EQ(problems.all().size(), 1U);
   EXPECT_EQ(problems.all()[0].path, "$.scale.point_labels");
+}
+
+TEST(ProblemsOf, ItemsThatReadTheSameAreWarnings) {
+  auto instrument = sound();
+  instrument.items.push_back(instrument.items[0]);
+  instrument.items[1].id = "b";
+  EXPECT_NE(
+      said(instrument).find("warning $.items[1].text: 'a' has the same text"), std::string::npos)
+      << said(instrument);
+}
+
+TEST(ProblemsOf, AScaleWithTheSameWordsAtBothEndsIsAWarning) {
+  auto instrument = sound();
+  instrument.items[0].scale = {.lowLabel = english("no"), .highLabel = english("no")};
+  EXPECT_NE(said(instrument).find("warning $.items[0]: both ends"), std::string::npos)
+      << said(instrument);
+}
+
+TEST(ProblemsOf, ManyTextsInALanguageThatIsNotListedAreOneWarning) {
+  auto instrument = sound();
+  const LocalizedText both({{"en", "x"}, {"fr", "y"}});
+  instrument.title = both;
+  instrument.introduction = both;
+  const auto words = said(instrument);
+  EXPECT_NE(words.find("warning $.languages: 2 texts are in 'fr', which"), std::string::npos)
+      << words;
+  EXPECT_EQ(words.find("$.title"), std::string::npos) << words;
 }
 
 }  // namespace problems_of_test

@@ -234,6 +234,39 @@ TEST(LoadedProtocol, ReadsAFileOnceAndReportsItsProblemsOnce) {
   EXPECT_EQ(shelf.asked.at("mine.json"), 1);
 }
 
+TEST(LoadedProtocol, CountsThePointsOfACutThatIsListedBackwards) {
+  const auto text = tests::with(
+      feeling("mine.json"),
+      R"("model": "finite-elements",
+        "parameters": { "yield_force_n": 3 })",
+      R"("model": "interpolation", "parameters": {"cut": "mine.json"})");
+  Shelf shelf{.files = {{"mine.json", R"({"format": "palpate-cut-1", "name": "c", "title": "C",
+          "unit": "travel_unit", "curve": [{"travel": 9, "force_n": 0}, {"travel": 7, "force_n": 4},
+          {"travel": 6, "force_n": 2}, {"travel": 5, "force_n": 1}]})"}}};
+  EXPECT_EQ(
+      errorsIn(text, shelf.finder()),
+      Words{"mine.json $.curve[1].travel: the travel does not rise from the point before, nor at 2 "
+            "points that follow"});
+}
+
+TEST(LoadedProtocol, NamesTheIdOfAFileThatIsMeant) {
+  const auto text = tests::with(
+      tests::with(tests::usualProtocol(), "realism-cuts", "feel"),
+      "\"conditions\": [\n",
+      "\"instrument_files\": [\"forms/feel.json\"],\n  \"conditions\": [\n");
+  const auto form = std::string(R"({"$schema": "instrument-1.schema.json", "id": "fell",
+    "version": "1", "title": "T", "source": {"citation": "c", "licence": "l"}, "languages": ["en"],
+    "items": [{"id": "i", "type": "long_text", "text": "How did it feel?"}]})");
+  const auto loading = tests::load(text, [&](const std::string& name) {
+    return name == "forms/feel.json" ? std::optional(form) : std::nullopt;
+  });
+  EXPECT_NE(
+      loading.describe().find("there is no instrument 'feel'; the file 'forms/feel.json' holds the "
+                              "instrument 'fell': write that id here, or change it in the file"),
+      std::string::npos)
+      << loading.describe();
+}
+
 TEST(LoadedProtocol, AsksForNoFileOutsideItsFolder) {
   Shelf shelf;
   for (const std::string name :

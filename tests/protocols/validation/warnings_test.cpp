@@ -151,8 +151,8 @@ TEST(ProtocolWarnings, WarnsOfALanguageThatAnInstrumentLacks) {
   EXPECT_EQ(
       warningsOf(text, holding(instrumentFile("mine"))),
       Words{"$.phases[1].questionnaires[0].instrument: 'mine' has no texts in 'de'; English will "
-            "be shown instead; 'palpate instrument wording mine --language de' writes a file for "
-            "them"});
+            "be shown instead; 'palpate instrument wording mine.json --language de --out "
+            "wording/mine/de.json', in the folder of the protocol, writes a file for them"});
 }
 
 TEST(ProtocolWarnings, FindsAFileThatNothingAsks) {
