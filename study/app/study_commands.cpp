@@ -221,7 +221,10 @@ int status(const StudyArguments& options) {
       metadata.version,
       current.sha256.substr(0, 12),
       current.frozenUtc ? "frozen " + *current.frozenUtc
-                        : "not frozen yet: no live participant has begun",
+      : study.protocols().isAnyFrozen()
+          ? "not frozen yet: live participants have begun with earlier "
+            "versions only"
+          : "not frozen yet: no live participant has begun",
       study.createdUtc(),
       stationLineOf(study),
       commitmentLineOf(study),

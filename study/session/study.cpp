@@ -257,10 +257,7 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
         study + "'.");
   }
   transact([&] {
-    const auto ids = protocols().all();
-    const bool hasBegun = std::any_of(
-        ids.begin(), ids.end(), [&](auto id) { return protocols().load(id).frozenUtc; });
-    if (hasBegun && reason.empty()) {
+    if (protocols().isAnyFrozen() && reason.empty()) {
       throw StorageError(
           "A participant has begun. A change is a new version and needs a reason: add --reason "
           "\"…\".");

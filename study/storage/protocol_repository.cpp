@@ -154,6 +154,10 @@ StoredProtocol ProtocolRepository::current() const {
   return load(ids.empty() ? ProtocolId{0} : ids.back());
 }
 
+bool ProtocolRepository::isAnyFrozen() const {
+  return Statement(database_, "SELECT 1 FROM protocol WHERE frozen_utc IS NOT NULL").step();
+}
+
 std::vector<ProtocolId> ProtocolRepository::all() const {
   Statement select(database_, "SELECT id FROM protocol ORDER BY id");
   std::vector<ProtocolId> ids;

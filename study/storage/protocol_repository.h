@@ -56,6 +56,8 @@ class ProtocolRepository {
   /// The newest version, which new sessions use.
   StoredProtocol current() const;
   std::vector<ProtocolId> all() const;
+  /// Whether a live participant has begun with any version.
+  bool isAnyFrozen() const;
 
   /// The defaults of the release that stored the version.
   protocols::Defaults defaultsOf(ProtocolId id) const;

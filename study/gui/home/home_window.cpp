@@ -239,7 +239,7 @@ void HomeWindow::fillInTexts() {
   attempt(this, MessageTopic::TextsNotChanged, [&] {
     auto opened = Study::open(folder);
     const auto& protocol = opened.protocol();
-    const bool hasBegun = opened.protocols().current().frozenUtc.has_value();
+    const bool hasBegun = opened.protocols().isAnyFrozen();
     TextsDialog form(
         protocol, hasBegun ? TextsDialog::Reason::Needed : TextsDialog::Reason::NotNeeded, this);
     if (form.exec() != QDialog::Accepted || form.texts() == protocol.protocol.texts) return;
