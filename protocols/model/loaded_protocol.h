@@ -61,6 +61,7 @@ struct LoadedProtocol {
   Protocol protocol;
   std::vector<questionnaires::Instrument> instruments;  ///< the instruments that the protocol uses
   std::string text;                                     ///< text of the protocol file itself
+  Defaults defaults = Defaults::Current;                ///< with which it was read
   /// All files that it refers to, including instruments of the library.
   std::vector<SourceFile> files;
   std::vector<SceneDataSource> sources;  ///< data that its conditions use, without duplicates

@@ -9,7 +9,7 @@
 namespace protocols {
 
 /// Warnings for a protocol's author and how to fix their cause ("key" and "key.fix"), and origins
-/// of data ("source.…").
+/// of data ("source.…"), and what a later version changed ("changed.…").
 inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"no_normals",
      "it has no normals; they are taken from its triangles, and edges of more than 40° stay edges"},
@@ -180,6 +180,13 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"source.test_set", "test set {}"},
     {"source.spheres_in", "spheres in '{}'"},
     {"source.fitted_to", "fitted to '{}'"},
+    {"changed.scale", "{} of {} participants left out, who answered on another scale: {}"},
+    {"changed.score", "{} of {} participants had another rule for this score: {}"},
+    {"changed.key", "{} of {} participants answered with another key: {}"},
+    {"changed.wording", "{} of {} participants read other words: {}"},
+    {"changed.asked", "{} of {} participants answered before this was asked as it is now: {}"},
+    {"changed.scene", "{} of {} participants felt another rendering: {}"},
+    {"changed.title", "{} of {} participants felt this under another title: {}"},
 });
 
 /// A message of kMessages with its arguments.

@@ -365,6 +365,7 @@ std::optional<UnvalidatedProtocol> readUnvalidatedProtocol(
   ReferencedFiles files(find, copies, problems, defaults);
   UnvalidatedProtocol draft;
   draft.loaded.text = json;
+  draft.loaded.defaults = defaults;
   draft.loaded.protocol = readRoot(root, files, draft.loaded.sources);
   questionnaires::BlankFiller blanks(draft.loaded.protocol.texts);
   fillOwnTexts(draft.loaded.protocol, blanks);

@@ -230,6 +230,8 @@ struct Score {
   /// The value (before reversal) that replaces a missing answer if at least leastAnswered items
   /// were answered; std::nullopt: missing answers are not replaced.
   std::optional<double> missingAs;
+
+  bool operator==(const Score&) const = default;
 };
 
 /// A rule for finding suspicious answers of a person: answers that contradict each other.
