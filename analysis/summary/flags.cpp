@@ -35,6 +35,8 @@ class FlagFinder {
 
   std::vector<Flag> all() {
     if (!facts_.isDeclared) flagUndeclaredFamily();
+    flagChanges("other_scale", facts_.otherScale);
+    flagChanges("answered_otherwise", facts_.changes);
     if (table_.answers.empty()) return std::move(flags_);
     if (facts_.isPooled) flagPooling();
     flagStatements();
@@ -67,6 +69,17 @@ class FlagFinder {
     add("family_not_declared",
         {text("family_not_declared")},
         {Message::verbatim("Wagenmakers et al. 2012")});
+  }
+
+  void flagChanges(std::string_view id, const std::vector<Message>& changes) {
+    if (changes.empty()) return;
+    std::vector<Message> what;
+    for (const auto& change : changes) {
+      if (!what.empty()) what.push_back(text("semicolon"));
+      what.push_back(change);
+    }
+    what.push_back(text("full_stop"));
+    add(id, std::move(what), {text("source.versions")});
   }
 
   void flagPooling() {

@@ -19,6 +19,13 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"alpha_rounded.remedy", "Compare with the unrounded threshold, as is done here."},
     {"alpha_rounded.title", "A rounded threshold that decides"},
     {"alpha_rounded.why", "Rounding the threshold decides about significance."},
+    {"answered_otherwise.remedy",
+     "Look at the participants of each version by themselves: the table of sessions in an export "
+     "names the version. Ask what is changed under an id of its own, or in a new study."},
+    {"answered_otherwise.title", "Questions or conditions that were changed between participants"},
+    {"answered_otherwise.why",
+     "Answers to different things are pooled; a difference, or that there is none, may come from "
+     "the change."},
     {"bimodal", "Answers fall into two camps: "},
     {"bimodal.method", "{} (variance {:.2f}, at most {:.2f} with one peak)"},
     {"bimodal.remedy",
@@ -82,6 +89,13 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"order_not_counterbalanced.why",
      "Practice, fatigue and contrast with what came before then count for one method and against "
      "another."},
+    {"other_scale.remedy",
+     "Look at these answers by themselves: exports have them, and say that they are not included. "
+     "Ask on a changed scale under an id of its own, or in a new study."},
+    {"other_scale.title", "Participants who answered on another scale"},
+    {"other_scale.why",
+     "The points of two scales do not mean the same, so the answers are not pooled: the results "
+     "are those of the newest version of the protocol."},
     {"paired_data_unpaired_test",
      "The same people judged every method, and the pooled tests take them for different people."},
     {"paired_data_unpaired_test.remedy", "Read the paired tests."},
@@ -115,11 +129,13 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
      "condition ('force_scale'), that of a recorded cut cannot."},
     {"saturated.title", "Forces cut off at the device’s limit"},
     {"saturated.why", "Where forces are cut off, methods feel more alike than they are."},
+    {"semicolon", "; "},
     {"source.not_defined", "Palpate’s manual, Statistics: what is not defined"},
     {"source.planning", "Palpate’s manual, Statistics: planning"},
     {"source.published_analysis", "Palpate’s manual, Statistics: the published analysis, point {}"},
     {"source.punch_paper", "The punch paper's 0.017 for 0.05/3"},
     {"source.trial_verdicts", "Palpate’s manual, Running a study: trial verdicts"},
+    {"source.versions", "Palpate’s manual, The protocol format: versions"},
 });
 
 /// A caveat that is shown beside a result.
@@ -169,6 +185,9 @@ struct StudyFacts {
   std::size_t lateTrials = 0;  ///< number of trials whose loop was late too often
   /// The methods with trials whose scene asked for more force than the device may give.
   std::vector<SaturatedMethod> saturated;
+  std::vector<base::Message> otherScale;  ///< why answers of participants were left out
+  /// What was changed between participants whose answers are compared.
+  std::vector<base::Message> changes;
 };
 
 /// All flags of the answers of one cohort, the most important first (docs/statistics.md, "What is

@@ -13,6 +13,7 @@
 #include "study/app/simulated_endings.h"
 #include "study/app/terminal_session.h"
 #include "study/cohort/simulated_participant.h"
+#include "study/results/protocol_versions.h"
 #include "study/session/study_key.h"
 #include "study/session/unfinished_sessions.h"
 #include "study/session/verification.h"
@@ -130,7 +131,15 @@ int amend(const StudyArguments& options) {
         options.folder);
     return 0;
   }
+  const auto changes = changesBy(study, protocol);
   study.amend(protocol, options.reason);
+  if (!changes.empty()) {
+    fmt::print("What was answered or felt so far means something else in this version:\n");
+    for (const auto& change : changes) fmt::print("  {}\n", base::describe(change));
+    fmt::print(
+        "Results will say so. To keep both apart, give what is changed an id of its own, or make a "
+        "new study.\n");
+  }
   fmt::print("New sessions use {} from now on.\n", options.protocol);
   if (!kept.empty()) fmt::print("Texts kept from the study: {}.\n", keysOf(kept));
   return 0;

@@ -1,6 +1,7 @@
 #include "study/export/codebook.h"
 
 #include <algorithm>
+#include <set>
 
 #include "questionnaires/model/answer.h"
 #include "questionnaires/model/instrument.h"
@@ -15,7 +16,8 @@ using questionnaires::ItemType;
 
 /// A row of items.csv: an item in one language.
 struct ExportedItem {
-  std::string instrument;
+  std::string protocolHash = {};  ///< empty unless items of several versions are exported
+  std::string instrument = {};
   std::string version;
   std::string id;
   int number = 1;  ///< its position in the questionnaire
@@ -29,9 +31,12 @@ struct ExportedItem {
   std::string leftText;
   std::string rightText;
   std::string scale;
+
+  bool operator==(const ExportedItem&) const = default;
 };
 
-Table<ExportedItem> itemTable() {
+/// @param hasVersions  whether it has the items of several versions of the protocol
+Table<ExportedItem> itemTable(bool hasVersions) {
   using namespace holds;
   using Row = ExportedItem;
   Table<Row> table{
@@ -58,6 +63,14 @@ Table<ExportedItem> itemTable() {
           {"left_text", Text{}, "The word at the low end", &Row::leftText},
           {"right_text", Text{}, "The word at the high end", &Row::rightText},
           {"scale", Text{}, "Points or options in their order, with their labels", &Row::scale}}};
+  if (hasVersions) {
+    table.description =
+        "One row per item, language and version of the protocol: what was asked, "
+        "and on which scale.";
+    table.columns.insert(
+        table.columns.begin(),
+        {"protocol_hash", Text{}, "The version, as in sessions", &Row::protocolHash});
+  }
   table.inPublic = table.description;
   for (auto& column : table.columns) column = std::move(column).inPublic();
   return table;
@@ -116,6 +129,23 @@ ExportedItem benchmarkRow() {
       .text = "Cuts that were made with the physical tool"};
 }
 
+std::vector<ExportedItem> itemRows(const protocols::LoadedProtocol& loaded) {
+  std::vector<ExportedItem> rows;
+  for (const auto& instrument : loaded.instruments) {
+    for (const auto& language : instrument.languages) {
+      int number = 0;
+      for (const auto& item : instrument.items) {
+        rows.push_back(itemRow(instrument, ++number, item, language));
+      }
+    }
+  }
+  const bool hasBenchmark = std::ranges::any_of(loaded.protocol.phases, [](const auto& phase) {
+    return phase.type == protocols::PhaseType::Benchmark;
+  });
+  if (hasBenchmark) rows.push_back(benchmarkRow());
+  return rows;
+}
+
 /// A row of columns.csv: one value of a column.
 struct ColumnValue {
   const ExportedTable* table = nullptr;
@@ -170,21 +200,20 @@ ExportedTable columnsTable(const std::vector<ExportedTable>& tables) {
 }
 
 ExportedTable itemsTable(Study& study, const Readers& readers) {
-  std::vector<ExportedItem> rows;
-  for (const auto& instrument : study.protocol().instruments) {
-    for (const auto& language : instrument.languages) {
-      int number = 0;
-      for (const auto& item : instrument.items) {
-        rows.push_back(itemRow(instrument, ++number, item, language));
-      }
+  auto rows = itemRows(study.protocol());
+  const auto current = study.protocols().current();
+  std::set<ProtocolId> earlier;  // with other items
+  for (const auto& session : study.sessions().all()) earlier.insert(session.protocol);
+  std::erase_if(earlier, [&](auto id) { return itemRows(study.protocol(id)) == rows; });
+  for (auto& row : rows) row.protocolHash = earlier.empty() ? "" : current.sha256;
+  for (const auto id : earlier) {
+    const auto hash = study.protocols().load(id).sha256;
+    for (auto& row : itemRows(study.protocol(id))) {
+      row.protocolHash = hash;
+      rows.push_back(std::move(row));
     }
   }
-  const auto& phases = study.protocol().protocol.phases;
-  const bool hasBenchmark = std::any_of(phases.begin(), phases.end(), [](const auto& phase) {
-    return phase.type == protocols::PhaseType::Benchmark;
-  });
-  if (hasBenchmark) rows.push_back(benchmarkRow());
-  return exportedTable(itemTable(), rows, readers);
+  return exportedTable(itemTable(!earlier.empty()), rows, readers);
 }
 
 }  // namespace study

@@ -102,7 +102,7 @@ bool isText(const ExportedAnswer& row) {
 }  // namespace
 
 StudyRows::StudyRows(Study& study, const ExportOptions& options)
-    : study_(study), isExact_(options.isExact), isBlinded_(options.isBlinded) {
+    : study_(study), versions_(study), isExact_(options.isExact), isBlinded_(options.isBlinded) {
   for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
     // codes of other run modes may need a key that is not available
     if (options.runMode && *options.runMode != mode) continue;
@@ -184,10 +184,11 @@ std::vector<ExportedAnswer> StudyRows::answers(bool areTexts) const {
     const auto session = sessions_.find(record.step.visit.session);
     if (session == sessions_.end()) continue;
     ExportedAnswer row{stepOf(session->second, record.step)};
-    const auto* instrument =
-        study_.protocol(session->second.protocol).instrument(record.step.instrument);
+    const auto version = session->second.protocol;
+    const auto& asked = record.step.instrument;
     row.record = &record;
-    row.item = instrument == nullptr ? nullptr : instrument->item(record.answer.item);
+    row.instrument = versions_.of(version).instrument(asked);
+    row.item = versions_.item(version, asked, record.answer.item);
     if (isText(row) != areTexts) continue;
     row.response = responseOf(record.answer.response);
     if (row.item != nullptr && !isExact_) row.band = bands.of(record, *row.item);
@@ -197,6 +198,8 @@ std::vector<ExportedAnswer> StudyRows::answers(bool areTexts) const {
       row.excluded = statusOf(session->second.state);
     } else if (!record.step.isFinished()) {
       row.excluded = nameOf(record.step.visitStatus);
+    } else if (!versions_.isPooled(version, asked, record.answer.item)) {
+      row.excluded = "other_scale";
     }
     rows.push_back(std::move(row));
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "study/export/export.h"
+#include "study/results/protocol_versions.h"
 #include "study/storage/records.h"
 
 namespace study {
@@ -43,6 +44,8 @@ struct ExportedStep {
 /// A row of responses.csv or texts.csv.
 struct ExportedAnswer : ExportedStep {
   const storage::AnswerRecord* record = nullptr;
+  /// The instrument in the version of the session; nullptr if it has none.
+  const questionnaires::Instrument* instrument = nullptr;
   const questionnaires::Item* item = nullptr;  ///< nullptr if the protocol no longer has the item
   Cell response = {};
   std::string band = {};  ///< replaces a number about the person; empty if the number itself is
@@ -94,6 +97,7 @@ class StudyRows {
   std::string_view chosenIn(const ExportedAnswer& row) const;
 
   Study& study_;
+  ProtocolVersions versions_;
   bool isExact_;
   bool isBlinded_;
   std::map<RunMode, std::map<std::string, std::string>> codes_;  ///< codes by condition id, for

@@ -297,8 +297,11 @@ std::vector<ExportedForms> wideRows(
   using Key = std::tuple<SessionId, std::string_view, int>;
   std::map<Key, std::size_t> places;
   std::vector<ExportedForms> rows;
-  std::vector<std::map<std::string, std::vector<questionnaires::Answer>>>
-      answersByInstrument;  // by instrument
+  struct Form {
+    const questionnaires::Instrument* asked = nullptr;
+    std::vector<questionnaires::Answer> answers;
+  };
+  std::vector<std::map<std::string, Form>> forms;  // by instrument
   for (const auto& answer : answers) {
     const bool counts = answer.excluded.empty() && answer.alternative && answer.position;
     if (!counts || answer.record->step.kind != StepKind::Questionnaire) continue;
@@ -306,7 +309,7 @@ std::vector<ExportedForms> wideRows(
     const auto [found, isNew] = places.try_emplace(key, rows.size());
     if (isNew) {
       rows.push_back({answer, {}});
-      answersByInstrument.emplace_back();
+      forms.emplace_back();
     }
     const auto& instrument = answer.record->step.instrument;
     const auto& item = answer.record->answer.item;
@@ -315,14 +318,18 @@ std::vector<ExportedForms> wideRows(
       const auto name = names.ofItem(instrument, item);
       if (!name.empty()) rows[found->second].cells[name] = answer.response;
     }
-    answersByInstrument[found->second][instrument].push_back(
-        {item, answer.record->answer.response});
+    auto& form = forms[found->second][instrument];
+    form.asked = answer.instrument;
+    form.answers.push_back({item, answer.record->answer.response});
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const auto* instrument : instrumentsOfBlocks(loaded)) {
+      const auto& form = forms[i][instrument->id];
+      if (form.asked == nullptr) continue;
       for (const auto& score : instrument->scores) {
-        const auto result =
-            questionnaires::scoreValue(*instrument, score, answersByInstrument[i][instrument->id]);
+        const auto* own = protocols::comparableScore(*form.asked, *instrument, score);
+        if (own == nullptr) continue;
+        const auto result = questionnaires::scoreValue(*form.asked, *own, form.answers);
         if (result) rows[i].cells[names.ofScore(instrument->id, score.id)] = *result;
       }
     }

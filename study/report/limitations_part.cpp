@@ -40,11 +40,13 @@ constexpr std::array<std::string_view, 18> kFileWarnings{
     "items_not_analysed"};
 
 /// All kinds of flags, the heaviest first.
-constexpr std::array<std::string_view, 13> kFlagsBySeverity{
+constexpr std::array<std::string_view, 15> kFlagsBySeverity{
     "n_below_minimum_for_alpha",
     "pseudo_replication",
     "constant_group",
     "family_not_declared",
+    "answered_otherwise",
+    "other_scale",
     "order_not_counterbalanced",
     "items_not_common_to_methods",
     "relative_item_without_referent",
@@ -381,9 +383,16 @@ class LimitationsWriter : HtmlWriter {
     return isBrief ? brief : sentence;
   }
 
+  /// Whether a study can have this weakness: only a later version of the protocol changes
+  /// questions.
+  bool isPossible(std::string_view id) const {
+    return section_.history.versions > 1 || (id != "answered_otherwise" && id != "other_scale");
+  }
+
   /// Whether this weakness can be looked for: in simulated time no tick is late, and a study of one
   /// participant has neither tests nor distributions.
   bool isLookedFor(std::string_view id) const {
+    if (!isPossible(id)) return false;
     if (id == "late_ticks") return section_.quality.worstLateness.has_value();
     return section_.results.completed() != 1 || !isIn(kFlagsThatNeedSeveralPeople, id);
   }
@@ -396,7 +405,7 @@ class LimitationsWriter : HtmlWriter {
     std::string unknown;
     for (const auto id : kFlagsBySeverity) {
       const auto isSame = [&](const auto& other) { return other.flag->id == id; };
-      if (std::ranges::any_of(found, isSame)) continue;
+      if (!isPossible(id) || std::ranges::any_of(found, isSame)) continue;
       auto& titles = isLookedFor(id) ? absent : unknown;
       titles += (titles.empty() ? "" : "; ") + inWords(analysis::Flag{.id = id}.title());
     }

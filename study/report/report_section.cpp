@@ -372,6 +372,8 @@ ReportSection gatherResults(Study& study, RunMode mode, const words::Words& word
   auto [firstDay, lastDay] = daysOf(study, mode);
   auto results = computeResults(study, mode, PairOrder::HigherFirst);
   leaveOutSmallSamples(results, study.protocol().instruments);
+  auto warnings = warningsOf(study);
+  for (const auto& change : results.changes) warnings.push_back({.path = {}, .what = change});
   return {
       .protocol = study.protocol().protocol,
       .instruments = study.protocol().instruments,
@@ -386,7 +388,7 @@ ReportSection gatherResults(Study& study, RunMode mode, const words::Words& word
       .trail = mode == RunMode::Simulated ? storage::TrailEnd() : storage::endOf(study.database()),
       .commitment = mode == RunMode::Simulated ? std::string() : study.events().commitment(),
       .results = std::move(results),
-      .warnings = warningsOf(study),
+      .warnings = std::move(warnings),
       .words = withDevices(words, study.protocol().protocol)};
 }
 

@@ -117,7 +117,11 @@ class StatisticsWriter : HtmlWriter {
         say("There are {} versions of the protocol; the audit trail has each with its reason.",
             history.versions);
     for (const auto& change : history.changes) text += " " + describe(change);
-    if (!history.changes.empty()) return text;
+    if (!section_.results.changes.empty()) {
+      text += " " + say("What was asked or felt was changed as well: see “Limitations”.");
+    }
+    const bool isLive = section_.results.runMode == RunMode::Live;
+    if (!history.changes.empty() || !isLive) return text;
     return text + " " +
            (history.versionsSinceBegun == 0
                 ? say("All of them are older than the first participant’s session.")

@@ -34,15 +34,21 @@ class HeadWriter : HtmlWriter {
       compared.push_back(isFirst ? introduced : section_.conditionTitle(id));
     }
     const auto judged = whatIsCompared(family);
-    const auto plan = say(
-        result.isDeclared ? "“{}”: {} are compared. Declared before the first participant: {}, "
-                            "α = {}."
-                          : "“{}”: {} are compared. Not declared before the first participant, and "
-                            "exploratory: {}, α = {}.",
-        family.title,
-        listed(compared, section_.words),
-        declaredInWords(family, section_.words),
-        exactDecimal(family.alpha));
+    // in sessions that are no participants' nothing says which version came before them
+    const bool isBeforeAll =
+        section_.history.versions == 1 || section_.results.runMode == RunMode::Live;
+    const auto plan =
+        say(result.isDeclared && !isBeforeAll
+                ? "“{}”: {} are compared. The protocol declares: {}, α = {}."
+            : result.isDeclared
+                ? "“{}”: {} are compared. Declared before the first participant: {}, "
+                  "α = {}."
+                : "“{}”: {} are compared. Not declared before the first participant, and "
+                  "exploratory: {}, α = {}.",
+            family.title,
+            listed(compared, section_.words),
+            declaredInWords(family, section_.words),
+            exactDecimal(family.alpha));
     put("<p>{}{}</p>", plan, judged.empty() ? judged : " " + judged);
   }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <variant>
 
+#include "protocols/changed_meaning.h"
 #include "questionnaires/model/answer.h"
 #include "questionnaires/scoring/scoring.h"
 
@@ -91,7 +92,10 @@ std::optional<FamilyLayout::Cell> FamilyLayout::cellOf(const Origin& origin, dou
   const auto statement = placeOf(table_.statements, origin.item);
   if (!method || !round || !statement) return std::nullopt;
   if (score_ != nullptr) return Cell{*method, *round, *statement, answer};
-  const double score = questionnaires::keyedNumber(*instrument_.item(origin.item), answer);
+  const auto& now = *instrument_.item(origin.item);
+  const auto* asked = origin.asked == nullptr ? &now : origin.asked->item(origin.item);
+  if (asked == nullptr || !protocols::haveSameScale(*asked, now)) return std::nullopt;
+  const double score = questionnaires::keyedNumber(*asked, answer);
   const bool isOnScale = (!table_.isPointScale || score == std::round(score)) &&
                          score >= table_.lowest && score <= table_.highest;
   if (!isOnScale) return std::nullopt;
@@ -109,7 +113,8 @@ analysis::AnswerTable answerTable(
   const auto add = [&](const ParticipantAnswer& answer, const std::string& what, double value) {
     const auto& step = answer.record->step;
     const auto person = placeOf(table.participants, *answer.participant);
-    const auto cell = layout.cellOf({step.instrument, step.phase, step.condition, what}, value);
+    const auto cell =
+        layout.cellOf({step.instrument, step.phase, step.condition, what, answer.asked}, value);
     if (step.kind != StepKind::Questionnaire || !person || !cell) return;
     table.answers.push_back(
         {.participant = *person,
@@ -120,9 +125,12 @@ analysis::AnswerTable answerTable(
          .score = cell->score});
   };
   if (const auto* score = layout.score()) {
+    const auto& now = *loaded.instrument(family.instrument);
     for (const auto& form : formsOf(answers)) {
-      const auto value =
-          questionnaires::scoreValue(*loaded.instrument(family.instrument), *score, form.answers);
+      const auto& asked = form.first.asked == nullptr ? now : *form.first.asked;
+      const auto* own = protocols::comparableScore(asked, now, *score);
+      if (own == nullptr) continue;
+      const auto value = questionnaires::scoreValue(asked, *own, form.answers);
       if (value) add(form.first, score->id, *value);
     }
     return table;

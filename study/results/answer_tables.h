@@ -15,6 +15,8 @@ namespace study {
 struct ParticipantAnswer {
   const std::string* participant = nullptr;
   const storage::AnswerRecord* record = nullptr;
+  /// The instrument in the version of the answer's session; nullptr: the newest version.
+  const questionnaires::Instrument* asked = nullptr;
 };
 
 /// The value of a point or a number; std::nullopt for options and free texts.
@@ -43,16 +45,18 @@ class FamilyLayout {
     const std::string& phase;
     const std::string& condition;
     const std::string& item;  ///< id of the item, or of the score
+    /// The instrument in the version of the answer's session; nullptr: the newest version.
+    const questionnaires::Instrument* asked = nullptr;
   };
   /// The indices of an answer in the table, and its value.
   struct Cell {
     std::size_t method = 0;
     std::size_t round = 0;
     std::size_t statement = 0;
-    double score = 0.0;  ///< the answer, reversed where the key is −1, so that more is better
+    double score = 0.0;  ///< the answer, reversed where its key was −1, so that more is better
   };
   /// The cell of an answer. std::nullopt if the family does not compare the answer, or if it was
-  /// given on the scale of an earlier version of the protocol; the answer then counts as missing.
+  /// given on another scale than that of the newest version.
   std::optional<Cell> cellOf(const Origin& origin, double answer) const;
 
  private:
@@ -62,8 +66,9 @@ class FamilyLayout {
 };
 
 /// The table of a family's answers (see FamilyLayout); for a score, one value for each form from
-/// which the score can be computed. The table's participants are @p people, also those without
-/// answers.
+/// which the score can be computed, by the rule of the form's own version. Values of a score on
+/// another scale than that of the newest version are left out. The table's participants are @p
+/// people, also those without answers.
 analysis::AnswerTable answerTable(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,

@@ -5,6 +5,7 @@
 
 #include "analysis/data/vote_shares.h"
 #include "analysis/hypothesis_tests/t_tests.h"
+#include "questionnaires/model/answer.h"
 #include "questionnaires/scoring/scoring.h"
 
 namespace study {
@@ -18,8 +19,26 @@ struct Form {
   std::string participant;
   std::string cohort;
   std::string condition;
+  const Instrument* asked = nullptr;  ///< in the version of the session
   std::vector<Answer> answers;
 };
+
+/// @p answers with those reversed whose key was another, so that @p now keys them as @p asked did.
+std::vector<Answer> keyedAs(
+    const Instrument& now, const Instrument& asked, std::vector<Answer> answers) {
+  for (auto& answer : answers) {
+    const auto* item = asked.item(answer.itemId);
+    const auto* nowItem = now.item(answer.itemId);
+    if (item == nullptr || nowItem == nullptr || item->key == nowItem->key) continue;
+    const auto& reversed = item->key == -1 ? *item : *nowItem;
+    if (auto* point = std::get_if<std::int64_t>(&*answer.response)) {
+      *point = questionnaires::keyedPoint(reversed, *point);
+    } else if (auto* number = std::get_if<double>(&*answer.response)) {
+      *number = questionnaires::keyedNumber(reversed, *number);
+    }
+  }
+  return answers;
+}
 
 /// Collects the summary of one instrument.
 class InstrumentSummariser {
@@ -32,7 +51,7 @@ class InstrumentSummariser {
     result_.instrument = instrument_.id;
     result_.forms = forms_.size();
     for (const auto& form : forms_) {
-      const auto consistency = consistencyOf(instrument_, form.answers);
+      const auto consistency = consistencyOf(*form.asked, form.answers);
       if (consistency && consistency->isSuspicious) ++result_.contradictory;
     }
     for (const auto& cohort : protocol_.cohorts) {
@@ -53,7 +72,9 @@ class InstrumentSummariser {
       std::map<std::string, std::vector<double>> byParticipant;
       for (const auto& form : forms_) {
         if (form.cohort != cohort || form.condition != condition) continue;
-        const auto found = computeScore(instrument_, score, form.answers);
+        const auto* own = protocols::comparableScore(*form.asked, instrument_, score);
+        if (own == nullptr) continue;
+        const auto found = computeScore(*form.asked, *own, form.answers);
         if (found.answered == 0) continue;  // the item set of this visit has no item of the score
         if (found.value) byParticipant[form.participant].push_back(*found.value);
         if (!found.value) ++summary.missing;
@@ -85,7 +106,9 @@ class InstrumentSummariser {
   void addChanges(const questionnaires::Score& score, const std::string& cohort) {
     std::map<std::string, std::vector<const Form*>> byParticipant;
     for (const auto& form : forms_) {
-      if (form.cohort == cohort) byParticipant[form.participant].push_back(&form);
+      const bool isMeant = form.cohort == cohort &&
+                           protocols::comparableScore(*form.asked, instrument_, score) != nullptr;
+      if (isMeant) byParticipant[form.participant].push_back(&form);
     }
     if (byParticipant.empty()) return;
     ScoreSummary before{.score = score.id, .cohort = cohort, .occasion = "before"};
@@ -96,8 +119,9 @@ class InstrumentSummariser {
         ++change.missing;
         continue;
       }
-      const auto found =
-          scoreChange(instrument_, score, forms.front()->answers, forms.back()->answers);
+      const auto& asked = *forms.back()->asked;
+      const auto first = keyedAs(asked, *forms.front()->asked, forms.front()->answers);
+      const auto found = scoreChange(asked, *asked.score(score.id), first, forms.back()->answers);
       if (found.before) before.values.push_back(*found.before);
       if (found.after) after.values.push_back(*found.after);
       if (found.change) change.values.push_back(*found.change);
@@ -124,7 +148,9 @@ class InstrumentSummariser {
         if (form.cohort == cohort && form.condition == condition) last[form.participant] = &form;
       }
       std::vector<std::vector<Answer>> participants;
-      for (const auto& [participant, form] : last) participants.push_back(form->answers);
+      for (const auto& [participant, form] : last) {
+        participants.push_back(keyedAs(instrument_, *form->asked, form->answers));
+      }
       for (auto& item : acceptabilityOf(instrument_, participants)) {
         AcceptabilitySummary summary{
             .cohort = cohort, .condition = condition, .item = std::move(item), .interval = {}};
@@ -151,10 +177,11 @@ bool isSummarised(const Instrument& instrument) {
 }  // namespace
 
 std::vector<InstrumentSummary> summariseInstruments(
-    const protocols::LoadedProtocol& loaded,
+    const ProtocolVersions& versions,
     const std::map<SessionId, storage::SessionRecord>& sessions,
     const std::vector<storage::AnswerRecord>& answers) {
   std::vector<InstrumentSummary> summaries;
+  const auto& loaded = versions.newest();
   for (const auto& instrument : loaded.instruments) {
     if (!isSummarised(instrument)) continue;
     std::map<VisitKey, Form> forms;
@@ -165,6 +192,7 @@ std::vector<InstrumentSummary> summariseInstruments(
       form.participant = session.participant;
       form.cohort = session.cohort;
       form.condition = answer.step.condition;
+      form.asked = versions.of(session.protocol).instrument(instrument.id);
       form.answers.push_back({answer.answer.item, answer.answer.response});
     }
     std::vector<Form> list;

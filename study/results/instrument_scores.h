@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "analysis/numerics/interval.h"
-#include "protocols/model/loaded_protocol.h"
 #include "questionnaires/scoring/scoring.h"
+#include "study/results/protocol_versions.h"
 #include "study/storage/records.h"
 
 namespace study {
@@ -47,11 +47,13 @@ struct InstrumentSummary {
 };
 
 /// Scores every form by the rules of its instrument (questionnaires/scoring/scoring.h). A form is
-/// the answers of one visit.
+/// the answers of one visit. Scores and contradictions are those of the form's own version, and
+/// scores on another scale than that of the newest version are left out; acceptable is what the
+/// newest version calls so.
 /// @param sessions  the sessions that are evaluated
 /// @param answers  all answers of these sessions
 std::vector<InstrumentSummary> summariseInstruments(
-    const protocols::LoadedProtocol& loaded,
+    const ProtocolVersions& versions,
     const std::map<SessionId, storage::SessionRecord>& sessions,
     const std::vector<storage::AnswerRecord>& answers);
 

@@ -8,6 +8,7 @@
 
 #include "analysis/data/reason.h"
 #include "study/results/answer_tables.h"
+#include "study/results/protocol_versions.h"
 #include "study/session/analysis_plan_history.h"
 #include "study/storage/records.h"
 
@@ -46,6 +47,7 @@ void withoutTests(analysis::PairwiseComparisons& comparisons) {
 /// The answer counts of one cohort for each condition that a family compares.
 std::vector<analysis::NamedSample> countsIn(
     const FamilyLayout& layout,
+    const ProtocolVersions& versions,
     const std::string& cohort,
     const std::vector<storage::PointCount>& points) {
   const auto& table = layout.table();
@@ -56,7 +58,12 @@ std::vector<analysis::NamedSample> countsIn(
   for (const auto& one : points) {
     if (one.cohort != cohort) continue;
     const auto cell = layout.cellOf(
-        {one.instrument, one.phase, one.condition, one.item}, static_cast<double>(one.point));
+        {one.instrument,
+         one.phase,
+         one.condition,
+         one.item,
+         versions.of(one.protocol).instrument(one.instrument)},
+        static_cast<double>(one.point));
     if (!cell) continue;
     times[cell->method][static_cast<std::size_t>(cell->score - table.lowest)] += one.times;
   }
@@ -127,22 +134,29 @@ Results pooledResults(Study& study, RunMode mode) {
   // numbers and scores have no countable points
   if (!isPointScale) return computeResults(study, mode);
   const auto history = analysisPlanHistory(study);
+  const ProtocolVersions versions(study);
   Results results{.runMode = mode};
   for (const auto& cohort : protocol.cohorts) results.flow.push_back({.cohort = cohort.id});
+  VersionsOfPeople everybody;
   std::map<std::string, std::set<std::string>> participants;  // of completed sessions, by cohort
   for (const auto& row : study.sessions().all()) {
     if (row.runMode != mode) continue;
     for (auto& flow : results.flow) {
       if (row.cohort == flow.cohort) flow.add(row.state);
     }
-    if (row.state == SessionState::Completed) participants[row.cohort].insert(row.participant);
+    if (row.state != SessionState::Completed) continue;
+    participants[row.cohort].insert(row.participant);
+    everybody[row.participant].insert(row.protocol);
   }
+  results.changes = changesSince(
+      versions, everybody, [&](const auto& change) { return concernsResults(protocol, change); });
   const auto points = storage::Records(study.database()).pointCounts(mode);
   for (const auto& family : protocol.analysis.families) {
     const FamilyLayout layout(loaded, family);
     FamilyResult result{.family = family, .isDeclared = history.isDeclared(family.id)};
     for (const auto& cohort : protocol.cohorts) {
-      CohortResult part{.cohort = cohort.id, .conditions = countsIn(layout, cohort.id, points)};
+      CohortResult part{
+          .cohort = cohort.id, .conditions = countsIn(layout, versions, cohort.id, points)};
       part.comparisons = comparePooled(family, part.conditions, participants[cohort.id].size());
       result.cohorts.push_back(std::move(part));
     }

@@ -13,6 +13,7 @@
 #include "study/model/trial_record.h"
 #include "study/results/answer_tables.h"
 #include "study/results/pooled_results.h"
+#include "study/results/protocol_versions.h"
 #include "study/session/analysis_plan_history.h"
 #include "study/storage/records.h"
 
@@ -30,6 +31,7 @@ class Computation {
       : mode_(mode),
         order_(order),
         loaded_(study.protocol()),
+        versions_(study),
         records_(study.database()),
         history_(analysisPlanHistory(study)) {
     for (auto& session : records_.sessions()) {
@@ -41,7 +43,8 @@ class Computation {
     for (auto& answer : records_.answers()) {
       const auto session = sessions_.find(answer.step.visit.session);
       const bool counts =
-          session != sessions_.end() && session->second.isCompleted() && answer.step.isFinished();
+          session != sessions_.end() && session->second.isCompleted() && answer.step.isFinished() &&
+          versions_.isPooled(session->second.protocol, answer.step.instrument, answer.answer.item);
       if (counts) answers_.push_back(std::move(answer));
     }
     for (auto& trial : records_.trials()) {
@@ -70,8 +73,11 @@ class Computation {
         }
       }
     }
-    results.instruments = summariseInstruments(loaded_, sessions_, answers_);
+    results.instruments = summariseInstruments(versions_, sessions_, answers_);
     results.answers = summariseItems(loaded_, sessions_, answers_, allocation_);
+    results.changes = changesSince(versions_, people({}), [&](const auto& change) {
+      return concernsResults(loaded_.protocol, change);
+    });
     return results;
   }
 
@@ -95,6 +101,37 @@ class Computation {
     std::vector<std::string> sites;
     for (const auto& participant : participants) sites.push_back(siteOf_.at(participant));
     return sites;
+  }
+
+  /// The participants of a cohort who completed, with their versions. @param cohort  empty: of all
+  VersionsOfPeople people(const std::string& cohort) const {
+    VersionsOfPeople all;
+    for (const auto& [id, session] : sessions_) {
+      const bool isMeant = cohort.empty() || session.cohort == cohort;
+      if (isMeant && session.isCompleted()) all[session.participant].insert(session.protocol);
+    }
+    return all;
+  }
+
+  /// Whether a change concerns what a family compares.
+  bool concerns(const protocols::Family& family, const protocols::ChangedMeaning& change) const {
+    if (change.instrument.empty()) {
+      return base::contains(conditionsOf(loaded_.protocol, family), change.id);
+    }
+    if (change.instrument != family.instrument) return false;
+    const auto& instrument = *loaded_.instrument(family.instrument);
+    const auto* score = instrument.score(family.score);
+    if (score != nullptr) {
+      return change.id == score->id || base::contains(score->items, change.id);
+    }
+    return base::withId(protocols::comparedItems(family, instrument.items), change.id) != nullptr;
+  }
+
+  /// Whether answers of a version to the family are left out.
+  bool hasOtherScale(const protocols::Family& family, ProtocolId version) const {
+    return std::ranges::any_of(versions_.changesSince(version), [&](const auto& change) {
+      return change.aspect == protocols::ChangedMeaning::Aspect::Scale && concerns(family, change);
+    });
   }
 
   const std::string& cohortOf(const AnswerRecord& answer) const {
@@ -182,6 +219,7 @@ class Computation {
   }
 
   analysis::AnswerTable tableOf(const protocols::Family& family, const std::string& cohort) const {
+    const auto versionsOf = this->people(cohort);
     std::vector<std::string> people;
     for (const auto& [id, session] : sessions_) {
       const bool counts = session.cohort == cohort && session.isCompleted();
@@ -192,9 +230,24 @@ class Computation {
     std::vector<ParticipantAnswer> answers;
     for (const auto& answer : answers_) {
       if (!isOf(family, answer) || cohortOf(answer) != cohort) continue;
-      answers.push_back({&sessions_.at(answer.step.visit.session).participant, &answer});
+      const auto& session = sessions_.at(answer.step.visit.session);
+      answers.push_back(
+          {&session.participant,
+           &answer,
+           versions_.of(session.protocol).instrument(answer.step.instrument)});
     }
-    return answerTable(loaded_, family, people, answers);
+    auto table = answerTable(loaded_, family, people, answers);
+    const auto isLeftOut = [&](const std::string& participant) {
+      const auto place = std::ranges::find(table.participants, participant);
+      const auto index = static_cast<std::size_t>(place - table.participants.begin());
+      return std::ranges::any_of(
+                 versionsOf.at(participant),
+                 [&](auto version) { return hasOtherScale(family, version); }) &&
+             std::ranges::none_of(
+                 table.answers, [&](const auto& one) { return one.participant == index; });
+    };
+    if (std::erase_if(people, isLeftOut) > 0) table = answerTable(loaded_, family, people, answers);
+    return table;
   }
 
   /// The threshold of a family: its smallest p is significant if it is at most this value.
@@ -245,6 +298,14 @@ class Computation {
         .tests = family.comparisons.size(),
         .comparativeStatements = comparativeStatements(loaded_, family, part.table),
         .expected = completeAnswerCounts(loaded_, family, part.table)};
+    using Aspect = protocols::ChangedMeaning::Aspect;
+    const auto everybody = people(part.cohort);
+    facts.otherScale = changesSince(versions_, everybody, [&](const auto& change) {
+      return change.aspect == Aspect::Scale && concerns(family, change);
+    });
+    facts.changes = changesSince(versions_, everybody, [&](const auto& change) {
+      return change.aspect != Aspect::Scale && concerns(family, change);
+    });
     for (const auto& method : part.table.methods) {
       facts.methodTitles.push_back(loaded_.protocol.condition(method)->title);
     }
@@ -311,6 +372,7 @@ class Computation {
   RunMode mode_;
   PairOrder order_;
   const protocols::LoadedProtocol& loaded_;
+  ProtocolVersions versions_;
   Records records_;
   AnalysisPlanHistory history_;
   std::set<std::string> sites_;

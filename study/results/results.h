@@ -123,7 +123,9 @@ struct VoteResult {
 
 /// The results of a study for both profiles: tests on pooled answers as in the punch paper, and
 /// tests within participants. Answers to statements with key −1 are reversed. Only completed
-/// sessions count, and of these only steps that were finished and not repeated.
+/// sessions count, and of these only steps that were finished and not repeated. Each answer is read
+/// by the version of the protocol of its session; answers on another scale than that of the newest
+/// version are left out (docs/decisions/0077).
 struct Results {
   RunMode runMode = RunMode::Live;
   std::vector<CohortFlow> flow;
@@ -135,6 +137,9 @@ struct Results {
   std::vector<InstrumentSummary> instruments;  ///< scores, thresholds and consistency of
                                                ///< instruments
   ItemResults answers;                         ///< summaries of single items
+  /// What later versions of the protocol changed in items, scores and conditions for participants
+  /// who completed before.
+  std::vector<base::Message> changes = {};
 
   /// The number of completed sessions of all cohorts.
   int completed() const;

@@ -83,6 +83,9 @@ class Writer {
     if (results_.runMode == RunMode::Pilot) line("PILOT: not for publication.");
     for (const auto& flow : results_.flow) writeFlow(cohortTitle(flow.cohort), flow);
     for (const auto& [site, flow] : results_.siteFlow) writeFlow("Site " + site, flow);
+    if (results_.changes.empty()) return;
+    line("\nThe protocol was changed after participants had answered");
+    for (const auto& change : results_.changes) line("  " + base::describe(change));
   }
 
   void writeFlow(const std::string& who, const CohortFlow& flow) {

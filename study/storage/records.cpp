@@ -218,7 +218,8 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
       "ORDER BY session_id, step, attempt");
   OrderedRows sessions(
       database_,
-      "SELECT id, 0, 0, cohort FROM session WHERE run_mode = ? AND state = ? ORDER BY id");
+      "SELECT id, 0, 0, cohort, protocol_id FROM session WHERE run_mode = ? AND state = ? ORDER BY "
+      "id");
   sessions.row.bindAll(nameOf(mode), nameOf(SessionState::Completed));
   OrderedRows steps(
       database_,
@@ -231,7 +232,7 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
           " FROM allocation AS a ORDER BY session_id, step");
 
   using ItemCounts = std::map<std::string, std::map<std::int64_t, std::uint64_t>>;
-  std::map<std::array<std::string, 4>, ItemCounts> counted;
+  std::map<std::pair<std::array<std::string, 4>, ProtocolId>, ItemCounts> counted;
   const ConditionCell condition{database_, conditions_};
   const auto countsOf = [&](const VisitKey& visit) -> ItemCounts* {
     const auto [session, step, attempt] = visit;
@@ -239,13 +240,13 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
         !visits.advanceTo(visit)) {
       return nullptr;
     }
-    return &counted[{
+    const bool isAllocated = allocations.advanceTo({session, step, 0});
+    const std::array place{
         sessions.row.text(3),
         steps.row.text(3),
         steps.row.text(4),
-        allocations.advanceTo({session, step, 0})
-            ? condition.in(allocations.row, 3, 4, session, step)
-            : ""}];
+        isAllocated ? condition.in(allocations.row, 3, 4, session, step) : std::string()};
+    return &counted[{place, ProtocolId{sessions.row.number(4)}}];
   };
   auto visit = kBeforeAll;
   ItemCounts* counts = nullptr;
@@ -255,11 +256,13 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
   }
 
   std::vector<PointCount> rows;
-  for (const auto& [place, items] : counted) {
+  for (const auto& [key, items] : counted) {
+    const auto& [place, protocol] = key;
     for (const auto& [item, points] : items) {
       for (const auto& [point, times] : points) {
         rows.push_back(
-            {.cohort = place[0],
+            {.protocol = protocol,
+             .cohort = place[0],
              .phase = place[1],
              .instrument = place[2],
              .condition = place[3],

@@ -52,8 +52,9 @@ struct AnswerRecord {
 };
 
 /// How often a point of an item's scale, or a whole number, was the answer in one cohort, about one
-/// condition, in one phase.
+/// condition, in one phase, with one version of the protocol.
 struct PointCount {
+  ProtocolId protocol{};  ///< version of the sessions
   std::string cohort;
   std::string phase;
   std::string instrument;

@@ -354,6 +354,7 @@ std::string resultsAsJson(Study& study, const Results& results) {
   for (const auto& [site, flow] : results.siteFlow) {
     json["flow_by_site"].push_back(flowAsJson("site", site, flow));
   }
+  for (const auto& one : results.changes) json["changed"].push_back(base::describe(one));
   for (const auto& family : results.families) json["families"].push_back(familyAsJson(family));
   for (const auto& vote : results.votes) json["votes"].push_back(voteAsJson(vote));
   for (const auto& i : results.instruments) json["instruments"].push_back(instrumentAsJson(i));

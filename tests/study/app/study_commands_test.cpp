@@ -1,5 +1,6 @@
 // The commands for a study: create, simulate, amend, status, backup, export, report.
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
 
@@ -106,6 +107,26 @@ TEST_F(StudyCommands, SavesTheFilesThatAProtocolNames) {
   EXPECT_EQ(tests::contentOf(folder + "/everything.json"), tests::everythingInstrument());
   const auto checked = palpate({"protocol", "check", file});
   EXPECT_EQ(checked.status, 0) << checked.out << checked.error;
+}
+
+TEST_F(StudyCommands, SaysWhatAnAmendmentChangesForThoseWhoBeganBefore) {
+  tests::MadeStudy study;
+  study::Session::enrol(*study, {.cohort = "surgeons"});
+  study.close();
+  auto changed = tests::shortProtocol();
+  changed.replace(changed.find("The title of kalman"), 19, "Another");
+  const std::string file = study.scratch() / "changed.json";
+  std::ofstream(file) << changed;
+  const auto amended =
+      palpate({"study", "amend", study.folder(), "--protocol", file, "--reason", "typo"});
+  EXPECT_NE(
+      amended.out.find("1 of 1 participants felt this under another title: kalman"),
+      std::string::npos)
+      << amended.out << amended.error;
+  const auto status = palpate({"study", "status", study.folder()});
+  EXPECT_NE(
+      status.out.find("live participants have begun with earlier versions only"), std::string::npos)
+      << status.out;
 }
 
 TEST_F(StudyCommands, KeepsTheColumnsOfStatusApartWhereACodeIsLong) {

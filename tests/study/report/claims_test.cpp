@@ -271,7 +271,7 @@ TEST(Claims, SaysWhichChecksCouldNotBeMade) {
   section.quality.worstLateness.reset();
   EXPECT_TRUE(has(limitationsAsHtml(section), "Could not be looked for: A late force loop."))
       << limitationsAsHtml(section);
-  EXPECT_TRUE(has(weaknessesAsHtml(section), "None of 12 checks"));
+  EXPECT_TRUE(has(weaknessesAsHtml(section), "None of 14 checks"));
   section.quality.worstLateness = 12.0;
   EXPECT_FALSE(has(limitationsAsHtml(section), "Could not be looked for"));
 }
@@ -380,7 +380,7 @@ TEST(Claims, SaysWhatWasLookedForAndNotFound) {
   for (auto& cohort : section.results.families.front().cohorts) cohort.flags.clear();
   section.quality.worstLateness = 12.0;
   EXPECT_TRUE(has(
-      weaknessesAsHtml(section), "None of 13 checks of the trials and of the compared answers"));
+      weaknessesAsHtml(section), "None of 15 checks of the trials and of the compared answers"));
   const auto all = limitationsAsHtml(section);
   for (const auto& kind : analysis::kFlagMessages) {
     if (!kind.key.ends_with(".title")) continue;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "analysis/data/vote_shares.h"
+#include "protocols/changed_meaning.h"
 #include "protocols/load_protocol.h"
 #include "study/model/messages.h"
 
@@ -72,7 +73,11 @@ CohortResult cohort(
        .expected = {7, 7, 7},
        .trials = 9,
        .lateTrials = 2,
-       .saturated = {{"Interpolation", 1, 3}}});
+       .saturated = {{"Interpolation", 1, 3}},
+       .otherScale = {protocols::inWords(protocols::ChangedMeaning::Aspect::Scale, 1, 6, "1.1")},
+       .changes = {
+           protocols::inWords(protocols::ChangedMeaning::Aspect::Key, 1, 6, "1.1"),
+           protocols::inWords(protocols::ChangedMeaning::Aspect::Wording, 1, 6, "1.2")}});
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include "haptics/devices/messages.h"
 #include "haptics/recordings/import_messages.h"
 #include "haptics/registry/device_kinds.h"
+#include "protocols/changed_meaning.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/messages.h"
 #include "questionnaires/reading/instrument_problems.h"
@@ -88,7 +89,7 @@ TEST_P(WordsTest, TranslateEverySentenceOfAReport) {
   for (const auto& cohort : section.results.families.front().cohorts) {
     for (const auto& flag : cohort.flags) flags.insert(flag.id);
   }
-  EXPECT_EQ(flags.size(), 13U);  // every kind there is
+  EXPECT_EQ(flags.size(), 15U);  // every kind there is
   for (const bool isDeclared : {true, false}) {
     section.results.families.front().isDeclared = isDeclared;
     for (const auto test : {protocols::TestType::Welch, protocols::TestType::PairedT}) {
@@ -109,6 +110,8 @@ TEST_P(WordsTest, TranslateEverySentenceOfAReport) {
   section.protocol.texts = {{"institution", text}, {"ethics", text}};
   report::asHtml(sections);
   section.history.versionsSinceBegun = 0;
+  section.results.changes = {
+      protocols::inWords(protocols::ChangedMeaning::Aspect::Title, 1, 6, "kalman")};
   report::asHtml(sections);
   for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
     section.results.runMode = mode;
