@@ -51,7 +51,7 @@ TEST(StatisticalTests, SuggestTheNearestNameForAnUnknownOne) {
       "There is no test 'fischer_exact'; did you mean 'fisher_exact'? 'palpate stats test --list' "
       "lists all.");
   EXPECT_EQ(
-      errorOf([] { analysis::statisticalTest("nosuch"); }),
+      tests::complaintOf([] { analysis::statisticalTest("nosuch"); }),
       "There is no test 'nosuch'. 'palpate stats test --list' lists all.");
 }
 

@@ -69,12 +69,12 @@ TEST(ColumnsFile, NamesEveryMistakeInOneReading) {
 }
 
 TEST(ColumnsFile, RefusesOneColumnForTheTravelAndTheForce) {
-  expectMentions(
+  EXPECT_TRUE(says(
       problemsOf(
           R"({"format": "palpate-columns-1", "time": {"column": "t", "unit": "s"},
               "travel": {"column": "x", "open": 0, "closed": 10},
               "force": {"column": "x", "unit": "N"}})"),
-      "$.force.column: this is the column of the travel or of the time, too");
+      "$.force.column: this is the column of the travel or of the time, too"));
 }
 
 TEST(ColumnsFile, RefusesACalibrationOfNewtons) {
