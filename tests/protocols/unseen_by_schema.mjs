@@ -45,6 +45,8 @@ export const unseen = [
   /^no block of this family asks '/,
   /^a condition is compared with itself$/,
   /^this pair is compared already$/,
+  /^two cohorts have the title '.*', and reports name them by it$/,
+  /^two conditions have the title '.*', and reports name them by it$/,
   /^the key '.*' stands here twice$/,
   /holds the character NUL$/,
   /^a whole number is expected here, not one with a decimal point$/, // 42.0 is 42 to JSON.parse

@@ -240,8 +240,7 @@ void addServerCommands(CLI::App& program, Action& action) {
       program,
       action,
       "set-aside",
-      "Let a station, also a revoked one, send all its data again; the server keeps its earlier "
-      "copy under another name",
+      "Let a station, even if revoked, send all its data again; its earlier copy is renamed",
       setAside);
   addStudyAndStation(*aside, setting);
   aside->add_option("--reason", setting.reason, "Reason for doing so; it is kept on the server")

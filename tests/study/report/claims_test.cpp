@@ -172,7 +172,7 @@ TEST(Claims, CountsThePeopleOfEachComparisonWhereAnswersAreMissing) {
   EXPECT_TRUE(has(
       answer,
       "<td>KF vs. FEM</td><td class=\"words\" colspan=\"4\">not defined: a comparison needs two "
-      "pairs of values, and has one</td>"))
+      "participants, and has one</td>"))
       << answer;
   EXPECT_TRUE(has(answer, "p is corrected for the comparisons under one heading that were tested"));
   const std::string correction = "A comparison that could not be tested does not count in the ";
