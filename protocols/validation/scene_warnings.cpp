@@ -34,7 +34,7 @@ void adviseOnWeight(const engine::KalmanSpec& spec, const std::string& path, Pro
 void adviseOnBranches(
     const engine::InterpolationSpec& spec, const std::string& path, Problems& problems) {
   if (spec.branches != engine::Branches::Hysteresis) return;
-  constexpr double kNoticeableForce = 0.05;  // [N]
+  constexpr double kNoticeableExcess = 0.05;  // [N]
   double most = 0.0;
   double where = 0.0;
   for (const auto& forces : engine::branchesAtKinks(spec)) {
@@ -44,7 +44,7 @@ void adviseOnBranches(
       where = forces.travel;
     }
   }
-  if (most < kNoticeableForce) return;
+  if (most < kNoticeableExcess) return;
   const auto shown = [](double value) { return std::to_string(value).substr(0, 5); };
   problems.warn(
       path + ".parameters",

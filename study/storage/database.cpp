@@ -133,12 +133,12 @@ Database Database::create(const std::string& path, const Schema& schema) {
 
 Database Database::open(const std::string& path, const Schema& schema, Access access) {
   namespace fs = std::filesystem;
-  std::error_code error;
+  std::error_code whyNot;
   std::error_code ignored;
-  if (!fs::exists(path, error)) {
-    if (!error) throw StorageError("There is no file " + path + ". Is this the folder of a study?");
+  if (!fs::exists(path, whyNot)) {
+    if (!whyNot) throw StorageError("There is no file " + path + ". Is this the folder of a study?");
     throw StorageError(
-        path + " cannot be read (" + error.message() + "). Check who may read it and its folder.");
+        path + " cannot be read (" + whyNot.message() + "). Check who may read it and its folder.");
   }
   try {
     return openWithReading(path, schema, access, Reading::SharedLocks);
