@@ -136,7 +136,8 @@ Database Database::open(const std::string& path, const Schema& schema, Access ac
   std::error_code whyNot;
   std::error_code ignored;
   if (!fs::exists(path, whyNot)) {
-    if (!whyNot) throw StorageError("There is no file " + path + ". Is this the folder of a study?");
+    if (!whyNot)
+      throw StorageError("There is no file " + path + ". Is this the folder of a study?");
     throw StorageError(
         path + " cannot be read (" + whyNot.message() + "). Check who may read it and its folder.");
   }
