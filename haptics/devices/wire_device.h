@@ -96,7 +96,8 @@ class WireDevice : public Device, private Pacer {
  private:
   KeepAliveLimits keepAliveLimits_;
   std::atomic<Lifecycle> lifecycle_{Lifecycle::Closed};
-  // The first fault since open(). The joint is written first, so whoever sees the kind sees both.
+  // The first fault since open(). The joint is written first: a thread that reads the new kind
+  // reads the new joint, too.
   std::atomic<int> faultJoint_{0};
   std::atomic<const base::MessageKind*> faultKind_{nullptr};
   std::jthread keepAliveThread_;
