@@ -15,14 +15,13 @@
 #include <QTextDocument>
 #include <QTextTable>
 
-#include "study/cohort/simulated_participant.h"
 #include "study/report/figures/figures.h"
 #include "study/report/html_report.h"
 #include "study/report/page_layout.h"
 #include "study/report/print_html.h"
-#include "tests/study/made_study.h"
 #include "tests/study/report/section.h"
 #include "tests/support/child_process.h"
+#include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::report {
@@ -153,13 +152,22 @@ std::size_t pageOfAppendix(const std::vector<std::string>& pages) {
   return static_cast<std::size_t>(found - pages.begin());
 }
 
-/// The pages of a report on a shipped protocol with simulated participants.
+/// The pages of a report on a shipped protocol with simulated participants, made by the release
+/// program.
 std::optional<std::vector<std::string>> pagesOfStudy(const char* protocol, int participants) {
-  tests::MadeStudy study(tests::libraryProtocol(protocol));
-  simulateCohorts(*study, study.clock, participants, 3, [](const auto&) {});
-  auto section = gather(*study, RunMode::Simulated);
-  paintFigures(section);
-  return pagesOf(asPdf(asHtml({section}), "A study"));
+  const tests::ScratchFolder folder;
+  const std::string study = folder / "study";
+  const std::string file = folder / "report.pdf";
+  for (const std::vector<std::string>& call :
+       {std::vector<std::string>{"study", "create", study, "--protocol", protocol, "--seed", "3"},
+        {"study", "simulate", study, "--participants", std::to_string(participants)},
+        {"report", study, "--run-mode", "simulated", "--out", file}}) {
+    std::vector<std::string> words{tests::releaseProgram()};
+    words.insert(words.end(), call.begin(), call.end());
+    const auto finished = tests::run(words);
+    EXPECT_EQ(finished.status, 0) << finished.error;
+  }
+  return pagesOf(tests::contentOf(file));
 }
 
 TEST(PdfReport, AnswersOnAtMostThreePagesAndOnOneOfASingleParticipant) {
