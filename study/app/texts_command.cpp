@@ -1,10 +1,12 @@
 // Lists and fills in the blanks in texts that participants read.
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "base/joined.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/app/command_options.h"
@@ -31,7 +33,8 @@ struct TextsArguments {
 
 /// Puts "institution=NTNU" or "de:institution=NTNU" into @p texts. An empty value removes the text
 /// in that language.
-void setBlankText(const std::string& assignment, BlankTexts& texts) {
+void setBlankText(
+    const std::string& assignment, const std::vector<std::string>& languages, BlankTexts& texts) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw UserError(
@@ -43,6 +46,13 @@ void setBlankText(const std::string& assignment, BlankTexts& texts) {
     language = key.substr(0, colon);
     key = key.substr(colon + 1);
   }
+  if (std::ranges::find(languages, language) == languages.end()) {
+    throw UserError(fmt::format(
+        "'{}': the protocol has no texts in '{}', only in {}.",
+        assignment,
+        language,
+        base::joined(languages, ", ")));
+  }
   auto byLanguage = texts[key].all();
   byLanguage[language] = assignment.substr(equals + 1);
   if (byLanguage[language].empty()) byLanguage.erase(language);
@@ -53,7 +63,8 @@ void setBlankText(const std::string& assignment, BlankTexts& texts) {
 protocols::LoadedProtocol withFilledBlanks(
     const protocols::LoadedProtocol& loaded, const std::vector<std::string>& assignments) {
   auto texts = loaded.protocol.texts;
-  for (const auto& assignment : assignments) setBlankText(assignment, texts);
+  for (const auto& assignment : assignments)
+    setBlankText(assignment, loaded.protocol.languages, texts);
   questionnaires::Problems problems;
   auto filled = protocols::withTexts(loaded, texts, problems);
   if (!filled) {

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include "base/file.h"
+#include "study/app/command_options.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
 #include "study/storage/evidence/trail_heads.h"
@@ -248,8 +249,8 @@ int requestTimeStamp(const TimeStampArguments& options) {
         "  curl -H 'Content-Type: application/timestamp-query' --data-binary @{} URL -o reply.tsr\n"
         "Then: palpate study timestamp {} --reply reply.tsr --authority-certificate FILE.pem\n",
         options.request,
-        options.request,
-        options.folder);
+        asShellWord(options.request),
+        asShellWord(options.folder));
     return 0;
   }
   const auto answer = (scratch / "reply").string();

@@ -1,4 +1,6 @@
 // The commands that list and fill in the blanks of texts for participants.
+#include <filesystem>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -51,6 +53,21 @@ TEST(TextsCommand, RefusesATextForWhichThereIsNoBlank) {
       {"protocol", "texts", "two-devices", "--set", "nothing=x", "--out", folder / "b.json"});
   EXPECT_EQ(refused.status, 1);
   EXPECT_TRUE(says(refused.error, "'nothing'"));
+}
+
+TEST(TextsCommand, RefusesATextInALanguageThatTheProtocolDoesNotHave) {
+  const tests::ScratchFolder folder;
+  const auto refused = palpate(
+      {"protocol",
+       "texts",
+       "two-devices",
+       "--set",
+       "pt:contact=A. Autora",
+       "--out",
+       folder / "b.json"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_TRUE(says(refused.error, "has no texts in 'pt', only in en"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.json"));
 }
 
 TEST(TextsCommand, AmendsAStudy) {
