@@ -32,6 +32,7 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
      "{} of {} ticks were late, {} of them because the machine itself stood still"},
     {"trial.cut_off", "the force was cut off for {:.2f} s of {:.2f} s"},
     {"trial.torque_cut_off", "the torque was cut off for {:.2f} s of {:.2f} s"},
+    {"trial.no_device", "the device was simulated: the participant felt no force"},
     {"trial.no_torque", "not rendered: torque"},
     {"trial.no_force", "the scene had no force for {:.3f} s"},
     {"trial.damping",

@@ -134,6 +134,7 @@ TrialRecord::Judgement TrialRecord::judgement() const {
         deviceFault.empty() ? message("trial.broke_off", nameOf(ending))
                             : message("trial.broke_off.fault", nameOf(ending), deviceFault));
   }
+  if (lacksDevice) found(Verdict::Fail, message("trial.no_device"));
   if (traceSamples + lostSamples != ticks) {
     found(Verdict::Fail, message("trial.samples_kept", traceSamples, ticks));
   }

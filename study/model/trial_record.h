@@ -84,7 +84,8 @@ base::NamedArguments valuesOf(const haptics::devices::LinkReport& link);
 struct TrialRecord {
   using Cut = haptics::models::CutDetector<double>::Cut;
 
-  std::string device;  ///< its name as shown to people
+  std::string device;        ///< its name as shown to people
+  bool lacksDevice = false;  ///< the device was simulated, although somebody was to feel its force
   std::string travelUnit;
   TrialEnding ending = TrialEnding::Finished;
   double duration = 0.0;  ///< in simulated time: ticks / nominalRate [s]

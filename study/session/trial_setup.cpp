@@ -38,9 +38,10 @@ Trial::Setup setupFor(const Session& session, storage::TraceStore& traces) {
   return {
       .scene = sceneFor(session),
       .limits = limitsOf(need),
-      .storeChunk = [&traces, visit = session.visit(), sealing](int number, const auto& samples) {
-        traces.add(visit, number, samples, sealing);
-      }};
+      .storeChunk = [&traces, visit = session.visit(), sealing](
+                        int number,
+                        const auto& samples) { traces.add(visit, number, samples, sealing); },
+      .needsDevice = session.runMode() == RunMode::Live};
 }
 
 std::unique_ptr<Trial> trialFor(

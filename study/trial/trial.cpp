@@ -116,6 +116,7 @@ Trial::Trial(haptics::devices::Device& device, Setup setup)
           setup.scene, *device.capabilities().kind, device.capabilities().rate)),
       engine_(device, setup.limits),
       storeChunk_(std::move(setup.storeChunk)),
+      lacksDevice_(setup.needsDevice && device.capabilities().isSimulated),
       statistics_(*device.capabilities().kind, device.capabilities().rate) {
   chunk_.reserve(static_cast<std::size_t>(rate()));
   engine_.setScene(&scene_);
@@ -148,6 +149,7 @@ TrialRecord Trial::finish(TrialEnding ending) {
   device_.disarm();
   TrialRecord record{
       .device = device_.capabilities().name,
+      .lacksDevice = lacksDevice_,
       .travelUnit = std::string(device_.capabilities().kind->travel.unit),
       .ending = ending,
       .passivity =

@@ -66,6 +66,7 @@ class Trial {
     haptics::engine::SceneSpec scene;
     haptics::engine::SafetyLimits limits;
     StoreChunk storeChunk;
+    bool needsDevice = false;  ///< somebody is to feel the force: a simulated device will not do
   };
 
   /// Builds the scene and arms the device, which must be open and outlive the trial.
@@ -113,6 +114,7 @@ class Trial {
   haptics::engine::RenderedSlope slope_;  ///< of the scene, at the device's rate
   haptics::engine::ForceEngine engine_;
   StoreChunk storeChunk_;
+  bool lacksDevice_;
   TrialStatistics statistics_;
   std::vector<storage::TraceSample> chunk_;
   int chunks_ = 0;

@@ -138,7 +138,12 @@ class KeptTrialTest : public testing::Test {
 
   haptics::devices::Device& device() { return deviceSet_.device(deviceFor(session_)); }
 
-  Trial::Setup setup() { return setupFor(session_, study_->traces()); }
+  /// As if the simulated device were a real one.
+  Trial::Setup setup() {
+    auto setup = setupFor(session_, study_->traces());
+    setup.needsDevice = false;
+    return setup;
+  }
 
   /// The verification's findings on traces after the statement @p mischief.
   std::string problemsAfter(const std::string& mischief) {
@@ -213,6 +218,24 @@ TEST_F(KeptTrialTest, IsReportedIfChunksAreExchanged) {
       problemsAfter("UPDATE chunk SET number = number + 100 WHERE number < 2;"
                     "UPDATE chunk SET number = 101 - number WHERE number >= 100"),
       "");
+}
+
+TEST(Trial, OfALiveSessionFailsOnASimulatedDevice) {
+  tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol()));
+  for (const auto& [mode, verdict] :
+       {std::pair{RunMode::Live, Verdict::Fail},
+        {RunMode::Pilot, Verdict::Pass},
+        {RunMode::Simulated, Verdict::Pass}}) {
+    auto session = Session::enrol(*study, {.cohort = "surgeons", .runMode = mode});
+    tests::walkTo(session, StepKind::Trial);
+    SimulatedDeviceSet devices([](const protocols::DeviceRequirement& need) {
+      return simulatedHandFor(need, 7, "surgeons", 1);
+    });
+    Trial trial(devices.device(deviceFor(session)), setupFor(session, study->traces()));
+    const auto judgement = runOffline(trial, 1, 60.0).judgement();
+    EXPECT_EQ(judgement.verdict, verdict) << nameOf(mode);
+    EXPECT_EQ(judgement.reasons.size(), verdict == Verdict::Fail ? 1U : 0U) << nameOf(mode);
+  }
 }
 
 TEST_F(KeptTrialTest, IsRepeatedAfterADeviceFailure) {
