@@ -36,7 +36,7 @@ std::string pseudoTranslated(std::string_view pattern) {
 
 }  // namespace
 
-std::string shown(std::string_view pattern) {
+std::string asDisplayed(std::string_view pattern) {
   return isPseudoLanguage() ? pseudoTranslated(pattern) : std::string(pattern);
 }
 
@@ -45,7 +45,7 @@ std::string filled(std::string_view pattern, const std::vector<Argument>& argume
   for (const auto& argument : arguments) {
     std::visit([&](const auto& value) { store.push_back(value); }, argument);
   }
-  return fmt::vformat(shown(pattern), store);
+  return fmt::vformat(asDisplayed(pattern), store);
 }
 
 std::string filled(std::string_view pattern, const NamedArguments& arguments) {
@@ -56,7 +56,7 @@ std::string filled(std::string_view pattern, const NamedArguments& arguments) {
     };
     std::visit(add, named.second);
   }
-  return fmt::vformat(shown(pattern), store);
+  return fmt::vformat(asDisplayed(pattern), store);
 }
 
 std::string describe(const Message& message) {

@@ -80,7 +80,7 @@ std::string describe(const Message& message);
 std::string describe(const std::vector<Message>& messages);
 
 /// A pattern, in any language, with its arguments filled in. In the pseudo-language its letters are
-/// replaced (see shown()).
+/// replaced (see asDisplayed()).
 std::string filled(std::string_view pattern, const std::vector<Argument>& arguments);
 
 /// A pattern with named arguments, such as "{item} = {value}", filled in.
@@ -91,7 +91,7 @@ std::string filled(std::string_view pattern, const NamedArguments& arguments);
 /// PALPATE_PSEUDO_LANGUAGE is set. Then every letter outside {} is replaced by another one that is
 /// computed from the pattern. Tests run programs in this way, so that code which reads a sentence
 /// as data fails.
-std::string shown(std::string_view pattern);
+std::string asDisplayed(std::string_view pattern);
 
 constexpr std::size_t placeholderCount(std::string_view pattern) {
   std::size_t places = 0;

@@ -171,11 +171,11 @@ questionnaires::BlankTexts keptTexts(const LoadedProtocol& before, const LoadedP
   for (const auto& key : changed.blanks) {
     const auto text = before.protocol.texts.find(key);
     if (text == before.protocol.texts.end() || changed.protocol.texts.contains(key)) continue;
-    auto words = text->second.all();
-    std::erase_if(words, [&](const auto& each) {
+    auto translations = text->second.all();
+    std::erase_if(translations, [&](const auto& each) {
       return each.first != "en" && std::ranges::find(languages, each.first) == languages.end();
     });
-    kept.emplace(key, questionnaires::LocalizedText(std::move(words)));
+    kept.emplace(key, questionnaires::LocalizedText(std::move(translations)));
   }
   return kept;
 }

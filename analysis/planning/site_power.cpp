@@ -15,7 +15,7 @@
 namespace analysis {
 namespace {
 
-/// @throws std::invalid_argument  for fewer participants than can be pooled.
+/// @throws std::invalid_argument  with too few participants for two at each site.
 void checkSites(const SitePlan& plan, std::uint64_t participants) {
   plan.check();
   if (participants < plan.fewestParticipants()) {

@@ -94,7 +94,7 @@ std::vector<LatticePoint> AnswerLattice::pointsOf(
 }
 
 std::vector<std::uint64_t> AnswerLattice::answersOf(const LatticePoint& point) const {
-  std::vector<std::uint64_t> times(steps_ + 1, 0);
+  std::vector<std::uint64_t> counts(steps_ + 1, 0);
   auto [sum, squares] = std::pair(point.sum, point.squares);
   // squares_ guarantees that after each answer the remaining sums are attainable with the remaining
   // answers.
@@ -104,11 +104,11 @@ std::vector<std::uint64_t> AnswerLattice::answersOf(const LatticePoint& point) c
            !isAttainable(remaining - 1, sum - u, squares - u * u)) {
       if (++u > steps_) throw std::logic_error("no answers have this sum and sum of squares");
     }
-    ++times[u];
+    ++counts[u];
     sum -= u;
     squares -= u * u;
   }
-  return times;
+  return counts;
 }
 
 }  // namespace analysis

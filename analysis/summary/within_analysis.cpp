@@ -89,9 +89,9 @@ class WithinComparer {
       result_.ordinal.reason = base::messageOf<kWithinMessages>("no_points_to_order");
       return;
     }
-    if (table_.highest - table_.lowest >= kMostOrderedPoints) {
+    if (table_.highest - table_.lowest >= kMostPointsOfOrdinalModel) {
       result_.ordinal.reason =
-          base::messageOf<kWithinMessages>("too_many_points_for_order", kMostOrderedPoints);
+          base::messageOf<kWithinMessages>("too_many_points_for_order", kMostPointsOfOrdinalModel);
       return;
     }
     std::vector<int> levels;

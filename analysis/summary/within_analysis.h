@@ -23,7 +23,7 @@ inline constexpr auto kWithinMessages = std::to_array<base::MessageKind>(
      {"too_many_points_for_order", "a scale of more than {} points is not modelled as ordered"}});
 
 /// The largest number of points of a scale with an ordinal model: each point adds a parameter.
-inline constexpr int kMostOrderedPoints = 20;
+inline constexpr int kMostPointsOfOrdinalModel = 20;
 
 /// Two methods, compared within participants.
 struct WithinComparison {

@@ -48,7 +48,7 @@ void HostPauseDetector::restart() noexcept {
   waitedBefore_ = waited();
 }
 
-std::int64_t HostPauseDetector::latenessOfThisMachine(std::int64_t late) noexcept {
+std::int64_t HostPauseDetector::latenessWithoutHostPause(std::int64_t late) noexcept {
   const std::int64_t now = waited();
   const bool isCounted = now >= 0 && waitedBefore_ >= 0;
   const std::int64_t ours =
@@ -185,7 +185,7 @@ void RealtimeLoop::run(const std::stop_token& stop) {
     const std::int64_t late = pace.wait();
     std::int64_t own = late;
     if (late > suspicious) {
-      own = std::min(late, std::max(hostPauses.latenessOfThisMachine(late), overrun));
+      own = std::min(late, std::max(hostPauses.latenessWithoutHostPause(late), overrun));
     } else if (report_.ticks % kTicksPerRestart == 0) {
       hostPauses.restart();
     }

@@ -34,7 +34,7 @@ class HostPauseDetector {
 
   /// Returns the part of @p late [ns] that this machine caused [ns]; the rest is a host pause.
   /// Restarts the count.
-  std::int64_t latenessOfThisMachine(std::int64_t late) noexcept;
+  std::int64_t latenessWithoutHostPause(std::int64_t late) noexcept;
 
  private:
   std::int64_t waited() const noexcept;

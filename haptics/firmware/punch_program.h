@@ -44,11 +44,11 @@ class PunchProgram {
   /// Performs one iteration of the loop.
   void step() noexcept {
     now_ = hardware_.micros();
-    const uint32_t passed = now_ - lastTime_;
-    checkTiming(passed);
+    const uint32_t elapsed = now_ - lastTime_;
+    checkTiming(elapsed);
     receive();
     observe();
-    drive(passed);
+    drive(elapsed);
     sendState();
     lastTime_ = now_;
   }
@@ -63,9 +63,9 @@ class PunchProgram {
   static constexpr int kWindow = 8;  // number of steps over which the velocity is measured
   static constexpr int kMaxBytesPerStep = 512;  // limits the time spent on a host that floods
 
-  void checkTiming(uint32_t passed) noexcept {
+  void checkTiming(uint32_t elapsed) noexcept {
     const uint32_t period = 1'000'000U / limits_.rate;
-    if (hasStepped_ && passed > period + period / 2 && lateLoops_ < 0xFFFF) ++lateLoops_;
+    if (hasStepped_ && elapsed > period + period / 2 && lateLoops_ < 0xFFFF) ++lateLoops_;
     if (now_ < lastTime_) faults_ |= wire::punch::kClockWrapped;
     hasStepped_ = true;
   }
@@ -261,14 +261,14 @@ class PunchProgram {
   }
 
   /// Moves the voltage towards the target, with limited slew rate and within the largest voltage.
-  void drive(uint32_t passed) noexcept {
+  void drive(uint32_t elapsed) noexcept {
     int32_t goal = target();
     const int32_t most = limits_.largestVoltage;
     if (goal > most || goal < -most) {
       goal = goal > most ? most : -most;
       faults_ |= wire::punch::kSaturated;
     }
-    const uint32_t bounded = passed > 5000U ? 5000U : passed;
+    const uint32_t bounded = elapsed > 5000U ? 5000U : elapsed;
     const auto reach = static_cast<int32_t>(limits_.largestSlew * bounded / 1000U);
     const int32_t way = goal - voltage_;
     voltage_ += way > reach ? reach : way < -reach ? -reach : way;

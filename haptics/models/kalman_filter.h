@@ -134,8 +134,8 @@ class KalmanFilter {
   constexpr void correctWeighted(Scalar interpolatedForce, Scalar trust) noexcept {
     if (!(trust > Scalar{0})) return;
     const Scalar r = noise_.interpolation;
-    const Scalar doubt = (Scalar{1} - trust) * covariance_.variances().force;
-    correct(interpolatedForce, trust < Scalar{1} ? (r + doubt) / trust : r);
+    const Scalar extraVariance = (Scalar{1} - trust) * covariance_.variances().force;
+    correct(interpolatedForce, trust < Scalar{1} ? (r + extraVariance) / trust : r);
   }
 
   Noise noise_;

@@ -206,7 +206,7 @@ struct Family {
   /// scale].
   std::optional<double> equivalenceBound;
 
-  /// Whether it uses the answers of the block @p id.
+  /// Whether it uses the answers of @p block.
   bool usesBlock(std::string_view block) const;
 };
 

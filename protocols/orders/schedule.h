@@ -57,8 +57,7 @@ struct Schedule {
 Schedule scheduleFor(
     const Protocol& protocol, std::uint64_t seed, std::string_view cohort, std::uint64_t slot);
 
-/// How often conditions are at each position and follow each other, if @p participants of a cohort
-/// take part.
+/// How often conditions are at each position and follow each other, for a number of participants.
 struct Balance {
   /// The design is balanced for every multiple of this number of participants; 0 for drawn orders,
   /// which are not balanced exactly; 1 for a fixed order, which is never balanced.

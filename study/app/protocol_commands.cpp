@@ -199,8 +199,8 @@ void addProtocolCommands(CLI::App& program, Action& action) {
   orders->add_option(
       "--seed",
       ordering.seed,
-      "Number that fixes the random orders (default: the protocol's, or 1); live sessions differ "
-      "unless the protocol sets it");
+      "Number that fixes the random orders (default: the protocol's, else 1); without one "
+      "in the protocol, live sessions have other orders");
   orders->add_flag(
       "--csv",
       ordering.csv,

@@ -300,8 +300,9 @@ void addStudyCommands(CLI::App& program, Action& action) {
   run->add_option(
          "--cohort",
          running.cohort,
-         "Cohort of a new participant (default: the first); one that contradicts the session to "
-         "resume is refused")
+         "Cohort of a new participant (default: the first); when a session is resumed it must be "
+         "that "
+         "session's cohort")
       ->type_name("NAME");
   run->add_option(
          "--participant", running.participant, "Participant code (default: the next free one)")

@@ -378,7 +378,7 @@ void addAccuracyCommand(CLI::App& program, Action& action) {
       ->add_option(
           "--processes",
           options.processes,
-          "Number of times that all is measured, each time in a new process")
+          "How often everything is measured, each time in a new process")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   std::vector<std::string> names;

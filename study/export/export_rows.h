@@ -77,7 +77,7 @@ struct ExportedEvent {
   double onset = 0.0;  ///< time since the session's first event [s]
 };
 
-/// Reads the data of a study that @p options select, the oldest first. The study must outlive this
+/// Reads the data of a study that its options select, the oldest first. The study must outlive this
 /// object, and this object must outlive the rows that it returns.
 class StudyRows {
  public:

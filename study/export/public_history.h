@@ -20,7 +20,8 @@ struct ExportHistory {
 /// completed at that time what each export released. Empty for simulated sessions.
 ExportHistory exportHistory(Study& study, const ExportOptions& options);
 
-/// @throws storage::StorageError  if a class has fewer than ExportOptions::publicClass people after
+/// @throws storage::StorageError  if a class has fewer than ExportOptions::publicClassSize people
+/// after
 ///     the export is combined with earlier ones.
 void requireSafeFromDifferencing(Study& study, const ExportOptions& options);
 

@@ -9,8 +9,9 @@
 namespace study {
 
 /// The quasi-identifiers of the people of a study, generalised for release.
-/// ExportOptions::publicClass must be set.
-/// @throws storage::StorageError  if the study has fewer people than ExportOptions::publicClass.
+/// ExportOptions::publicClassSize must be set.
+/// @throws storage::StorageError  if the study has fewer people than
+/// ExportOptions::publicClassSize.
 Release publicRelease(Study& study, const ExportOptions& options);
 
 /// The tables of a public export: people with their released quasi-identifiers, and answers without

@@ -431,7 +431,7 @@ std::vector<TableRule> rulesOf(const QTextDocument& document) {
       rules.push_back({{where.left(), y, where.right(), y}, thickness * px});
     };
     const int heads = table->format().headerRowCount();
-    const bool hasCaption = heads > 1;  // see captionsInHead() in print_html.cpp
+    const bool hasCaption = heads > 1;  // see moveCaptionsIntoHeads() in print_html.cpp
     add(edgeAbove(*table, hasCaption ? 1 : 0), kThickRule);
     if (heads > 0 && heads < table->rows()) add(edgeAbove(*table, heads), kThinRule);
     add(edgeAbove(*table, table->rows()), kThickRule);

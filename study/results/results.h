@@ -109,7 +109,7 @@ bool isPooled(Profile profile, const protocols::Family& family) noexcept;
 /// pooled tests are left out unless @p hasPooledTests is true.
 std::vector<RaisedFlag> flagsByKind(const FamilyResult& family, bool hasPooledTests);
 
-/// The votes of one cohort in a preference about one block.
+/// The votes of one cohort on one preference question about one block.
 struct VoteResult {
   std::string cohort;
   std::string site;   ///< empty: votes of all sites

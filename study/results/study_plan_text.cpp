@@ -305,7 +305,7 @@ std::string lengthText(const StudyPlan& plan) {
       pace.perItem,
       pace.perText,
       pace.perCut,
-      pace.perChange,
+      pace.perPreparation,
       pace.wordsPerSecond);
   return text;
 }

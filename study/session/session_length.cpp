@@ -46,7 +46,7 @@ PartOfSession partOf(const protocols::LoadedProtocol& loaded, const Step& step, 
   if (step.kind == StepKind::Trial || step.kind == StepKind::Benchmark) {
     part.cuts = std::max(step.minimumCuts, 1);
     const double touching = part.cuts * pace.perCut;
-    part.seconds += touching + pace.perChange;
+    part.seconds += touching + pace.perPreparation;
     if (step.kind == StepKind::Trial) part.secondsOnDevice = touching;
   }
   const auto* instrument = step.hasItems() ? loaded.instrument(step.instrument) : nullptr;

@@ -10,11 +10,11 @@ namespace study {
 
 /// How fast participants are assumed to be.
 struct Pace {
-  double perItem = 8.0;         ///< to answer a statement or a choice [s]
-  double perText = 40.0;        ///< to answer in free text [s]
-  double perCut = 8.0;          ///< one cut or stroke [s]
-  double perChange = 20.0;      ///< to prepare the next trial [s]
-  double wordsPerSecond = 3.0;  ///< when reading a text
+  double perItem = 8.0;          ///< to answer a statement or a choice [s]
+  double perText = 40.0;         ///< to answer in free text [s]
+  double perCut = 8.0;           ///< one cut or stroke [s]
+  double perPreparation = 20.0;  ///< to prepare the next trial [s]
+  double wordsPerSecond = 3.0;   ///< when reading a text
 };
 
 /// The steps of one kind, summed.

@@ -43,8 +43,8 @@ bool recordReportPath(
     std::string_view content = {});
 
 /// Notes in the audit trail that a copy of a participant's consent form will be written, so that
-/// copiesLeft() lists it for their erasure. Where it is written is not noted: the name of a file
-/// may name a person, and the trail is never deleted.
+/// copiesNotErased() lists it for their erasure. Where it is written is not noted: the name of a
+/// file may name a person, and the trail is never deleted.
 /// @return  as noteCopy()
 bool recordConsentCopy(Study& study, const std::string& participant);
 

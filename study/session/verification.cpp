@@ -421,12 +421,12 @@ Verification verify(Study& study, const Progress& progress, const VerifyOptions&
   runCheck("names are as they were entered", identities);
   check("every protocol is what its hash says", protocolHashes);
   runCheck("every order is the one that was drawn", orders);
-  if (!options.noted.empty()) {
-    const bool isHeld = study.events().containsNotedHead(options.noted);
+  if (!options.notedHead.empty()) {
+    const bool isHeld = study.events().containsNotedHead(options.notedHead);
     Problems problems;
     if (!isHeld) {
       problems.push_back(
-          "no event has the head " + options.noted +
+          "no event has the head " + options.notedHead +
           ": the end was cut off since, or the trail was written "
           "anew");
     }

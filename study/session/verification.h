@@ -30,7 +30,7 @@ struct VerifyOptions {
   /// A head of the audit trail that was written down earlier, outside of the study; empty: none.
   /// Anyone who can write the study's folder can cut off the last events or recompute the trail.
   /// The station that signed the trail detects this; other computers need such a head.
-  std::string noted = {};
+  std::string notedHead = {};
   /// Path of a witness file, which holds heads that were signed earlier (storage::writeWitness());
   /// empty: none.
   std::string witness = {};

@@ -122,7 +122,7 @@ class IiwaDevice final : public WireDevice {
   double velocity_ = 0.0;  // [m/s]
   double turn_ = 0.0;      // [rad]
 
-  std::uint32_t lastReflected_ = 0;  // this class's last counter that the robot sent back
+  std::uint32_t lastReflected_ = 0;  // counter of our last command that the robot has reflected
 };
 
 }  // namespace haptics::devices

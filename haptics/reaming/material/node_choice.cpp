@@ -23,7 +23,7 @@ struct Piece {
 /// Greedy rule for a local kind of spline: after a split only the two new pieces need a new error.
 std::vector<std::size_t> greedyByPieces(const SplineDeviation& error, double wanted) {
   const auto pieceOf = [&](std::size_t from, std::size_t to) {
-    const auto worst = error.between(from, to);
+    const auto worst = error.worstOfPiece(from, to);
     return Piece{worst.error, worst.at, from, to};
   };
   std::priority_queue<Piece> pieces;
@@ -45,7 +45,8 @@ std::vector<std::size_t> greedyByPieces(const SplineDeviation& error, double wan
 /// Greedy rule for kinds in which every node changes all pieces.
 std::vector<std::size_t> greedyOverAll(const SplineDeviation& error, double wanted) {
   std::vector<std::size_t> nodes{0, error.size() - 1};
-  for (auto worst = error.through(nodes); worst.error > wanted; worst = error.through(nodes)) {
+  for (auto worst = error.worstOfSpline(nodes); worst.error > wanted;
+       worst = error.worstOfSpline(nodes)) {
     nodes.insert(std::upper_bound(nodes.begin(), nodes.end(), worst.at), worst.at);
   }
   return nodes;
@@ -86,12 +87,12 @@ std::vector<std::size_t> byThreshold(const SplineDeviation& error, double wanted
   const auto curvature = curvatures(error);
   double threshold = *std::max_element(curvature.begin(), curvature.end());
   std::vector<std::size_t> best = samplesAbove(curvature, threshold, isThinned);
-  double bestError = error.through(best).error;
+  double bestError = error.worstOfSpline(best).error;
   for (int fall = 0; fall < kMostFalls && bestError > wanted; ++fall) {
     threshold *= kThresholdFactor;
     auto nodes = samplesAbove(curvature, threshold, isThinned);
     if (nodes.size() == best.size() && !isThinned) continue;
-    const double now = error.through(nodes).error;
+    const double now = error.worstOfSpline(nodes).error;
     if (now >= bestError && isThinned) continue;
     bestError = now;
     best = std::move(nodes);
@@ -111,7 +112,7 @@ std::vector<std::size_t> optimal(const SplineDeviation& error, double wanted) {
     if (count[from] == kUnreached) continue;
     for (std::size_t to = from + 1; to < n; ++to) {
       if (count[from] + 1 >= count[to]) continue;
-      if (error.between(from, to, wanted).error > wanted) continue;
+      if (error.worstOfPiece(from, to, wanted).error > wanted) continue;
       count[to] = count[from] + 1;
       before[to] = from;
     }
@@ -175,7 +176,7 @@ std::optional<std::string> problemOf(const NodeCriterion& nodeCriterion) {
 NodeChoice chooseNodes(const SampledCurve& curve, const NodeCriterion& nodeCriterion) {
   const SplineDeviation error(curve, nodeCriterion);
   NodeChoice choice{.nodes = nodesBy(curve, error, nodeCriterion)};
-  choice.error = error.through(choice.nodes).error;
+  choice.error = error.worstOfSpline(choice.nodes).error;
   choice.isMet = choice.error <= nodeCriterion.error;
   return choice;
 }
@@ -184,7 +185,7 @@ NodeChoice chooseNodes(
     const SampledCurve& curve, std::size_t count, const NodeCriterion& nodeCriterion) {
   const SplineDeviation error(curve, nodeCriterion);
   NodeChoice choice{.nodes = nodesOfLeastError(error, count, nodeCriterion)};
-  choice.error = error.through(choice.nodes).error;
+  choice.error = error.worstOfSpline(choice.nodes).error;
   choice.isMet = choice.error <= nodeCriterion.error;
   return choice;
 }
@@ -194,7 +195,7 @@ SplineDeviation::SplineDeviation(const SampledCurve& curve, const NodeCriterion&
   if (nodeCriterion.rule == NodeRule::PaperLiteral) criterion_.floor = 0.0;
 }
 
-SplineDeviation::Worst SplineDeviation::of(
+SplineDeviation::Worst SplineDeviation::worstOfCubic(
     const models::CubicSegment<double>& piece,
     std::size_t from,
     std::size_t to,
@@ -211,22 +212,22 @@ SplineDeviation::Worst SplineDeviation::of(
   return worst;
 }
 
-SplineDeviation::Worst SplineDeviation::between(
+SplineDeviation::Worst SplineDeviation::worstOfPiece(
     std::size_t from, std::size_t to, double errorLimit) const {
   models::HermiteNode<double> a{curve_.x[from], curve_.y[from], slopes_[from]};
   models::HermiteNode<double> b{curve_.x[to], curve_.y[to], slopes_[to]};
   if (criterion_.kind == SplineKind::Linear) {
     a.slope = b.slope = (b.force - a.force) / (b.position - a.position);
   }
-  return of(models::CubicSegment<double>::between(a, b), from, to, errorLimit);
+  return worstOfCubic(models::CubicSegment<double>::between(a, b), from, to, errorLimit);
 }
 
-SplineDeviation::Worst SplineDeviation::through(
+SplineDeviation::Worst SplineDeviation::worstOfSpline(
     std::span<const std::size_t> nodes, double errorLimit) const {
   const auto spline = splineThrough(curve_, slopes_, nodes, criterion_.kind);
   Worst worst;
   for (std::size_t i = 0; i + 1 < nodes.size() && worst.error <= errorLimit; ++i) {
-    const auto here = of(spline.segments[i], nodes[i], nodes[i + 1], errorLimit);
+    const auto here = worstOfCubic(spline.segments[i], nodes[i], nodes[i + 1], errorLimit);
     if (here.error > worst.error) worst = here;
   }
   return worst;

@@ -79,19 +79,19 @@ class SplineDeviation {
 
   /// Largest error of the piece between two samples, for a local kind; stops as soon as the error
   /// exceeds @p errorLimit.
-  Worst between(
+  Worst worstOfPiece(
       std::size_t from,
       std::size_t to,
       double errorLimit = std::numeric_limits<double>::infinity()) const;
 
-  /// Largest error of the whole spline through @p nodes; stops as soon as the error exceeds @p
-  /// enough.
-  Worst through(
+  /// Largest error of the whole spline through @p nodes; stops as soon as the error exceeds
+  /// @p errorLimit.
+  Worst worstOfSpline(
       std::span<const std::size_t> nodes,
       double errorLimit = std::numeric_limits<double>::infinity()) const;
 
  private:
-  Worst of(
+  Worst worstOfCubic(
       const models::CubicSegment<double>& piece,
       std::size_t from,
       std::size_t to,

@@ -48,7 +48,7 @@ Nodes byDynamicProgramming(const SplineDeviation& error, std::size_t count) {
   std::vector<double> cost(n * n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 1; j < n; ++j) {
-      cost[i * n + j] = error.between(places[i], places[j]).error;
+      cost[i * n + j] = error.worstOfPiece(places[i], places[j]).error;
     }
   }
   constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -106,7 +106,7 @@ Nodes settledByPieces(const SplineDeviation& error, Nodes nodes) {
       for (std::size_t j = 0; j < layers[k].size(); ++j) {
         for (std::size_t i = 0; i < layers[k - 1].size(); ++i) {
           if (layers[k - 1][i] >= layers[k][j] || least[i] >= next[j]) continue;
-          const double piece = error.between(layers[k - 1][i], layers[k][j], next[j]).error;
+          const double piece = error.worstOfPiece(layers[k - 1][i], layers[k][j], next[j]).error;
           const double with = std::max(least[i], piece);
           if (with >= next[j]) continue;
           next[j] = with;
@@ -132,7 +132,7 @@ Nodes settledByPieces(const SplineDeviation& error, Nodes nodes) {
 Nodes worstFirst(const SplineDeviation& error, std::size_t count) {
   Nodes nodes{0, error.size() - 1};
   while (nodes.size() < count) {
-    const auto worst = error.through(nodes);
+    const auto worst = error.worstOfSpline(nodes);
     const auto place = std::lower_bound(nodes.begin(), nodes.end(), worst.at);
     if (place != nodes.end() && *place == worst.at) return evenNodes(error.size(), count);
     nodes.insert(place, worst.at);
@@ -152,7 +152,7 @@ class Evolution {
       const std::size_t round = m / starts.size();
       const double reach = 0.3 * static_cast<double>(round * error.size()) / kMembers;
       for (double& place : places) place += reach * random_.normal();
-      const auto cost = error_.through(nodesOf(places)).error;
+      const auto cost = error_.worstOfSpline(nodesOf(places)).error;
       members_.push_back({std::move(places), cost});
     }
   }
@@ -213,20 +213,20 @@ class Evolution {
       }
     }
     std::sort(tried.begin(), tried.end());
-    const double cost = error_.through(nodesOf(tried), member.cost).error;
+    const double cost = error_.worstOfSpline(nodesOf(tried), member.cost).error;
     if (cost <= member.cost) member = {std::move(tried), cost};
   }
 
   /// Moves single nodes, in large and small steps, while the largest error falls.
   void moveSingleNodes(Nodes& nodes) const {
-    double least = error_.through(nodes).error;
+    double least = error_.worstOfSpline(nodes).error;
     const auto improves = [&](std::size_t k, std::ptrdiff_t by) {
       const std::size_t kept = nodes[k];
       nodes[k] = static_cast<std::size_t>(std::clamp(
           static_cast<std::ptrdiff_t>(kept) + by,
           static_cast<std::ptrdiff_t>(nodes[k - 1]) + 1,
           static_cast<std::ptrdiff_t>(nodes[k + 1]) - 1));
-      const double with = error_.through(nodes, least).error;
+      const double with = error_.worstOfSpline(nodes, least).error;
       if (with >= least) {
         nodes[k] = kept;
         return false;

@@ -183,8 +183,7 @@ void addErasureCommands(CLI::App& parentCommand, Action& action) {
           ->add_option(
               "--by",
               erasure.certificateToRepeat,
-              "Repeat in FOLDER, a copy of the study, the erasure that this certificate "
-              "(.txt) of another copy records")
+              "Repeat an erasure that was done in another copy; FILE is its certificate (.txt)")
           ->type_name("FILE");
   // A certificate says what is erased, from whom and why.
   for (auto* option : {participant, level, reason, reseal, also, certificate})

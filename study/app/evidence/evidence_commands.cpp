@@ -75,7 +75,7 @@ int verify(const EvidenceArguments& options) {
   auto verification = study::verify(
       study,
       {},
-      {.noted = options.expectedHead,
+      {.notedHead = options.expectedHead,
        .witness = options.witness,
        .isOlderCopy = options.isOlderCopy});
   checkTimeStamps(study, options.certificate, verification);

@@ -82,8 +82,8 @@ void MaterialInputs::addTo(CLI::App& verb) {
   verb.add_option(
       "--column",
       columns,
-      "Heading of a quantity's column where it does not name the quantity (time, displacement, "
-      "force, torque): force=Channel2");
+      "Heading of the column that holds a quantity (time, displacement, force, torque), if it does "
+      "not name it: force=Channel2");
   verb.add_option(
       "--unit", units, "Unit of a quantity where the column's heading has none: force=kN");
   verb.add_option(
@@ -129,7 +129,7 @@ void MaterialInputs::addTo(CLI::App& verb) {
   verb.add_option(
           "--nodes-of",
           nodesOf,
-          "Kind of spline for which nodes are chosen (default: that of --spline)")
+          "Kind of spline whose error decides where nodes go (default: that of --spline)")
       ->check(oneOf(kSplines));
   verb.add_option(
           "--spline",
@@ -152,7 +152,7 @@ void MaterialInputs::addTo(CLI::App& verb) {
           "--torque-floor",
           options.torqueFloor,
           "Floor of relative errors: where the torque is smaller, its error is divided by this "
-          "[N·m]")
+          "instead [N·m]")
       ->check(finiteRange(1e-6, 1e4))
       ->capture_default_str();
   verb.add_flag(

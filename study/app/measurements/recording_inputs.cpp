@@ -45,8 +45,9 @@ void RecordingInputs::addTo(CLI::App& verb) {
   verb.add_option(
       "--calibration",
       calibration,
-      "Calibration to newtons: paper-eq1 (eq. 1 of the punch paper), recorder-2021 (the recorder's "
-      "own formula, for comparison), or a file from 'recording calibrate --out' (default: "
+      "Calibration to newtons: paper-eq1 (eq. 1 of the punch paper), recorder-2021 (the formula "
+      "of the program that made the published recordings), or a file from 'recording calibrate "
+      "--out' (default: "
       "paper-eq1 for five columns, else as in the columns file)");
   verb.add_option(
           "--filter",

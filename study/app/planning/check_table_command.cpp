@@ -75,17 +75,13 @@ void addCheckTableCommand(CLI::App& stats, Action& action) {
       ->required();
   command->add_option("COMPARISONS", options.comparisons, "A CSV file: group1, group2, p")
       ->required();
-  command
-      ->add_option(
-          "--sizes",
-          options.sizes,
-          "Sizes to try for every group: SMALLEST LARGEST (default: column n)")
+  command->add_option("--sizes", options.sizes, "Sizes to try for every group (default: column n)")
+      ->type_name("SMALLEST LARGEST")
       ->expected(2)
       ->check(CLI::Range(2, 1000));
   auto* scale =
-      command
-          ->add_option(
-              "--scale", options.scale, "Lowest and highest point of the answer scale: 1 5")
+      command->add_option("--scale", options.scale, "Ends of the answer scale, such as 1 5")
+          ->type_name("LOWEST HIGHEST")
           ->expected(2)
           ->check(CLI::Range(-1000, 1000));
   command

@@ -70,6 +70,7 @@ void addAssumptions(CLI::App& command, PlanArguments& options) {
           options.shares,
           "Simulated answers: shares of variance by participant, participant × condition, chance "
           "(default: 0.3 0.2 0.5)")
+      ->type_name("PARTICIPANT INTERACTION CHANCE")
       ->expected(3)
       ->check(finiteRange(0.0, 1.0));
   command

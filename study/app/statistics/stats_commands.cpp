@@ -76,7 +76,7 @@ int run(const RunArguments& options) {
 
 void addStatsCommands(CLI::App& program, Action& action) {
   auto& parentCommand =
-      addCommandGroup(program, "stats", "Statistics of a study; statistical tests of any table");
+      addCommandGroup(program, "stats", "Statistics of a study; statistical tests on any table");
 
   auto [run, running] = addCommand(
       parentCommand,

@@ -136,7 +136,7 @@ int setAside(const ServerArguments& arguments) {
       arguments.station);
   if (wasRevoked) {
     fmt::print(
-        "'{0}' was shut out, and is let in again. If it is not to send anything: palpate collect "
+        "'{0}' was revoked, and is admitted again. If it is not to send anything: palpate collect "
         "revoke --station {0} --reason \"…\".\n",
         arguments.station);
   }
@@ -240,7 +240,8 @@ void addServerCommands(CLI::App& program, Action& action) {
       program,
       action,
       "set-aside",
-      "Let a station, even if revoked, send all its data again; its earlier copy is renamed",
+      "Rename a station's data on the server, so that it can send all again; a revoked one is "
+      "admitted",
       setAside);
   addStudyAndStation(*aside, setting);
   aside->add_option("--reason", setting.reason, "Reason for doing so; it is kept on the server")

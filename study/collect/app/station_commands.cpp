@@ -246,7 +246,7 @@ int statusOfServer(const StationArguments& arguments) {
         station.incidents,
         station.lastContact.empty() ? "never" : station.lastContact,
         station.isSetAside  ? ", set aside"
-        : station.isRevoked ? ", shut out"
+        : station.isRevoked ? ", revoked"
                             : "");
   }
   printIncidents(server);

@@ -156,7 +156,7 @@ void revokeStation(
       {study, label, reason});
   if (!revoked.isEmpty()) return;
   throw UserError(fmt::format(
-      "'{}' was shut out already, on {}: {}. That stays as it is.",
+      "'{}' was revoked already, on {}: {}. That stays as it is.",
       label,
       before.text(0, 0).substr(0, 10),
       before.text(0, 1)));

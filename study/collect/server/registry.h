@@ -19,11 +19,11 @@ struct StudyOnServer {
   std::vector<std::byte> secret;  ///< the study's storage::BlindingSecret
 };
 
-/// A version of a study's protocol. @param files  a JSON object: name to text
+/// A version of a study's protocol.
 struct ProtocolOnServer {
   std::string sha256;
   std::string text;
-  std::string files;
+  std::string files;  ///< a JSON object: name to text
 };
 
 /// The functions below are for the owner of the schema. All throw ServerError.
@@ -71,7 +71,7 @@ void revokeStation(
 
 /// Sets aside the data of a station that differ from what it recorded: the server keeps them under
 /// another name and no longer pulls them; the station sends everything again.
-/// @return  whether the station was revoked; it is let in again
+/// @return  whether the station was revoked; it is admitted again
 /// @throws UserError  if there is no such station.
 bool setAsideStation(
     Connection& server,

@@ -22,7 +22,7 @@ bool writeConsentCopy(Study& study, const std::string& participant, const std::s
   });
   const bool isPdf = std::filesystem::path(path).extension() == ".pdf";
   const auto page = isPdf ? report::asPdf(html, study.protocol().protocol.study.title) : html;
-  requireNewFile(path);  // the trail never loses a copy that is noted
+  requireNewFile(path);  // checked first: an entry in the trail cannot be taken back
   const bool isNoted = recordConsentCopy(study, participant);
   writeNewFile(path, page);
   return isNoted;

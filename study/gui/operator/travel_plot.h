@@ -46,7 +46,7 @@ class TravelPlot final : public QWidget {
   std::vector<QCPCurve*> curves_;  ///< the oldest first
   haptics::engine::CutDetector detector_;
   double scale_ = 1.0;            ///< factor for travel
-  std::int64_t sampleCount_ = 0;  ///< number of samples received; every kEvery-th is drawn
+  std::int64_t sampleCount_ = 0;  ///< number of samples received; some are drawn
 };
 
 }  // namespace study::gui

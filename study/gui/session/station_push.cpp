@@ -40,7 +40,7 @@ std::string problemInWords(const std::string& problem) {
   if (problem == "release" || problem == "newer") {
     return translated("the server has another release of this program");
   }
-  if (problem == "revoked") return translated("this station was shut out");
+  if (problem == "revoked") return translated("this station was revoked");
   if (problem == "fork" || problem == "older_copy") {
     return translated("another copy of this folder has sent something");
   }

@@ -27,14 +27,14 @@ TEST(NearestName, IsNoneIfAllAreFarFromWhatWasMeant) {
   EXPECT_EQ(nearestName("", Names{"score"}), std::nullopt);
 }
 
-TEST(Enumerated, JoinsNamesAsInASentence) {
+TEST(EnumeratedNames, AreJoinedAsInASentence) {
   EXPECT_EQ(enumerated(Names{}), "");
   EXPECT_EQ(enumerated(Names{"a"}), "'a'");
   EXPECT_EQ(enumerated(Names{"a", "b"}), "'a' and 'b'");
   EXPECT_EQ(enumerated(Names{"a", "b", "c"}), "'a', 'b' and 'c'");
 }
 
-TEST(Enumerated, StopsAfterEight) {
+TEST(EnumeratedNames, AreAtMostEight) {
   EXPECT_EQ(enumerated(Names(10, "n")), "'n', 'n', 'n', 'n', 'n', 'n', 'n', 'n' and 2 more");
 }
 

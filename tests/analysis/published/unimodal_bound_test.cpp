@@ -77,7 +77,7 @@ TEST(UnimodalBound, IsExceededByThePublishedTable) {
   EXPECT_NEAR(kOfSample * largestUnimodalVariance(1, 5, 3.25), 2.25, 0.005);
 }
 
-TEST(UnimodalBound, IsExceededByAnswersAtBothEndsOnly) {
+TEST(UnimodalBound, IsExceededIfAllAnswersAreAtTheEnds) {
   LikertCounts extremes(1, 5);
   extremes.add(1, 9);
   extremes.add(5, 9);

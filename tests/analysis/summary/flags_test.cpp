@@ -58,7 +58,7 @@ TEST(Flags, NamePoolingAndPairing) {
       (Ids{"pseudo_replication", "paired_data_unpaired_test"}));
 }
 
-TEST(Flags, DoNotNamePoolingOfOneAnswerEach) {
+TEST(Flags, OmitPoolingIfEachParticipantGaveOneAnswer) {
   auto table = balanced();
   std::erase_if(table.answers, [](const auto& answer) { return answer.statement == 1; });
   EXPECT_EQ(idsOf(table, {.isPooled = true, .tests = 1}), Ids{"paired_data_unpaired_test"});
@@ -111,7 +111,7 @@ TEST(Flags, NameTooFewPeopleForTheFamily) {
   EXPECT_EQ(idsOf(balanced(), facts), Ids{"n_below_minimum_for_alpha"});
 }
 
-TEST(Flags, CountCompletePairsForTooFewPeople) {
+TEST(Flags, JudgeTooFewPeopleByCompletePairs) {
   auto table = balanced();
   std::erase_if(table.answers, [](const auto& answer) {
     return answer.participant > 0 && answer.method == answer.participant % 2;

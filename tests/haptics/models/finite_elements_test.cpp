@@ -221,7 +221,7 @@ TEST(FiniteElements, HaveNoForceForNaN) {
   EXPECT_EQ(response.force, 0.0);
 }
 
-TEST(FiniteElements, KnowUnsoundParameters) {
+TEST(FiniteElements, RejectUnsoundParameters) {
   EXPECT_TRUE(Elements::isSound({}));
   EXPECT_FALSE(Elements::isSound({.elements = 0}));
   EXPECT_FALSE(Elements::isSound({.elementStiffness = -1.0}));

@@ -193,7 +193,7 @@ TEST(Reproduction, ChoosesTheAuthorsCutByDefault) {
   EXPECT_GE(report.rows[0].last, 13561U);
 }
 
-TEST(Reproduction, MovesTheReferenceCutLittleToLimitItsSlope) {
+TEST(Reproduction, HardlyChangesTheReferenceCutByTheLimitOfItsSlope) {
   SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const ImportedCut imported = importCut(copy(), {.rows = kCut, .filter = kAsPublished});
   EXPECT_EQ(imported.cut.curve.nodes().size(), 76U);

@@ -144,7 +144,7 @@ std::string withMaterial(const std::string& parameters) {
   return tests::reamingProtocol("material", parameters, R"({"hardness": 1})");
 }
 
-TEST(MaterialFile, IsTakenFromBesideAProtocol) {
+TEST(MaterialFile, IsReadFromTheFolderOfTheProtocol) {
   const auto find = [](const std::string& name) {
     return name == "bone.json" ? std::optional(fittedJson()) : std::nullopt;
   };

@@ -75,7 +75,7 @@ std::string withPacking(const std::string& parameters) {
       "packing", parameters, R"({"hardness": 1, "packing": "cup.packing", "removal": false})");
 }
 
-TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
+TEST(PackingFile, IsReadFromTheFolderOfAProtocolAndShared) {
   const auto find = [](const std::string& name) {
     const bool isThere = name == "cup.packing";
     auto fitted = bone();

@@ -77,7 +77,7 @@ TEST(ProtocolWarnings, WarnsOfATemplateOnce) {
   EXPECT_TRUE(said[0].starts_with("debrief $.introduction.en: still to be filled in: [[delete"));
 }
 
-TEST(ProtocolWarnings, WarnsOfPlaceholdersInAnOwnFileOnce) {
+TEST(ProtocolWarnings, WarnsOfPlaceholdersInAFileOfTheUserOnce) {
   const auto mine = tests::with(instrumentFile("mine"), "It felt real.", "As real as [[what]]?");
   EXPECT_EQ(
       warningsOf(askingMine(), holding(mine)),
@@ -85,7 +85,7 @@ TEST(ProtocolWarnings, WarnsOfPlaceholdersInAnOwnFileOnce) {
             "'texts' of the protocol, or into this file"});
 }
 
-TEST(ProtocolWarnings, WarnsOfComparisonsWithThePreviousOnlyForAnOwnFile) {
+TEST(ProtocolWarnings, WarnsOfComparisonsWithThePreviousOnlyForAFileOfTheUser) {
   const auto published = tests::with(
       tests::withBenchmark(tests::usualProtocol()), "realism-cuts", "punch-face-validity");
   for (const auto& words : warningsOf(published)) {

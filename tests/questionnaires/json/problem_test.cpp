@@ -15,7 +15,7 @@ TEST(Problems, AreListedOnePerLine) {
       describe(problems.all()), "error   $.id: this is odd; mend it\nwarning $: this is unusual\n");
 }
 
-TEST(Problems, KnowErrorsFromWarnings) {
+TEST(Problems, DistinguishErrorsFromWarnings) {
   Problems problems;
   problems.warn("$", base::Message::verbatim("this is unusual"));
   EXPECT_FALSE(problems.hasErrors());

@@ -171,7 +171,7 @@ TEST_F(NoSpaceTest, CanBeReadAlsoWhereTheReservedSpaceIsUsedUp) {
   }
 }
 
-TEST_F(NoSpaceTest, IsNotReadWithoutAnAnswerThatIsOnlyInTheLog) {
+TEST_F(NoSpaceTest, RefusesAStudyWhoseLogCannotBeRead) {
   // Without shared memory the log is not read. What a crash left there must not be passed over.
   const std::string crash =
       "rm '" + disk_ + "/study/ballast'; echo log > '" + disk_ + "/study/study.db-wal';";

@@ -61,7 +61,7 @@ std::string reamingWith(tests::ScratchFolder& folder, const nlohmann::json& para
   return folder.write("reaming.json", json.dump());
 }
 
-TEST(SceneExplain, DoesNotPassAMaterialThatBeginsWithAJump) {
+TEST(SceneExplain, ReportsAMaterialThatBeginsWithAJump) {
   tests::ScratchFolder folder;
   const auto node = [](double depth, double force) {
     return nlohmann::json{{"depth_m", depth}, {"lower_n", force}, {"upper_n", force}};

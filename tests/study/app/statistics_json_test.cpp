@@ -82,7 +82,7 @@ class StatisticsJson : public testing::Test {
   int compared_ = 0;
 };
 
-TEST_F(StatisticsJson, AgreesAboutEveryComparisonWithinPeople) {
+TEST_F(StatisticsJson, MatchesTheTableInEveryComparisonWithinPeople) {
   for (const auto& cohort : json_["families"][0]["cohorts"]) {
     for (const auto& pair : cohort["within"]["comparisons"]) {
       const std::map<std::string, std::string> which{
@@ -101,7 +101,7 @@ TEST_F(StatisticsJson, AgreesAboutEveryComparisonWithinPeople) {
   EXPECT_EQ(compared_, 2 * 5);
 }
 
-TEST_F(StatisticsJson, AgreesAboutOverallTestsAndTheScale) {
+TEST_F(StatisticsJson, MatchesTheTableInOverallTestsAndTheScale) {
   for (const auto& cohort : json_["families"][0]["cohorts"]) {
     const std::map<std::string, std::string> which{{"cohort", cohort["cohort"]}};
     const auto friedman = row("friedman", which);
@@ -122,7 +122,7 @@ TEST_F(StatisticsJson, AgreesAboutOverallTestsAndTheScale) {
   EXPECT_GE(compared_, 2 * 3);
 }
 
-TEST_F(StatisticsJson, AgreesAboutScoresAndThresholds) {
+TEST_F(StatisticsJson, MatchesTheTableInScoresAndThresholds) {
   for (const auto& instrument : json_["instruments"]) {
     const auto whichOf = [&](const json& one) {
       std::map<std::string, std::string> which{
@@ -155,7 +155,7 @@ TEST_F(StatisticsJson, AgreesAboutScoresAndThresholds) {
   EXPECT_GT(compared_, 30);
 }
 
-TEST_F(StatisticsJson, AgreesAboutEveryItemByItself) {
+TEST_F(StatisticsJson, MatchesTheTableInEveryItem) {
   ASSERT_FALSE(json_["items"].empty());
   for (const auto& item : json_["items"]) {
     std::map<std::string, std::string> which{
@@ -180,7 +180,7 @@ TEST_F(StatisticsJson, AgreesAboutEveryItemByItself) {
   EXPECT_GT(compared_, 30);
 }
 
-TEST_F(StatisticsJson, AgreesAboutTheManipulationCheck) {
+TEST_F(StatisticsJson, MatchesTheTableInTheManipulationCheck) {
   EXPECT_EQ(rows_.front().count("site"), 0U);  // all took part at one
   ASSERT_EQ(json_["felt_differences"].size(), 3U);
   for (const auto& felt : json_["felt_differences"]) {
@@ -201,7 +201,7 @@ class StatisticsJsonOfSites : public StatisticsJson {
   StatisticsJsonOfSites() : StatisticsJson(8, true) {}
 };
 
-TEST_F(StatisticsJsonOfSites, AgreesAboutTheAnswersAndDifferencesOfEachSite) {
+TEST_F(StatisticsJsonOfSites, MatchesTheTableInTheAnswersAndDifferencesOfEachSite) {
   for (const auto& cohort : json_["families"][0]["cohorts"]) {
     const auto& sites = cohort["by_site"];
     for (const auto& site : sites["sites"]) {

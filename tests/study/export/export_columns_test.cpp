@@ -546,15 +546,15 @@ TEST_F(BlindedExport, LacksWhatTheRenderingMakesMeasurableAndEverythingThatNames
   EXPECT_EQ(tables, expected);
 }
 
-/// The value after @p key in the codebook of a folder without names of conditions.
-nlohmann::json headOf(Study& study, const fs::path& folder) {
+/// The codebook of a blinded export.
+nlohmann::json codebookOf(Study& study, const fs::path& folder) {
   exportStudy(study, folder, {.runMode = RunMode::Simulated});
   return nlohmann::json::parse(tests::contentOf(folder / "codebook.json"));
 }
 
 TEST_F(BlindedExport, SaysThatItIsBlinded) {
   take(1);
-  const auto head = headOf(*study_, folder_ / "out");
+  const auto head = codebookOf(*study_, folder_ / "out");
   EXPECT_EQ(head["blinded"], true);
   EXPECT_FALSE(head.contains("not_blinded_because"));
   EXPECT_EQ(blindingInWords(*study_, {}), "blinded");
@@ -565,7 +565,7 @@ TEST_F(BlindedExport, SaysThatItIsBlinded) {
 TEST(ExportWithCodes, IsNotCalledBlindedWhereTheProtocolTellsTheConditions) {
   tests::ScratchFolder scratch;
   tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.order = "fixed"})));
-  const auto head = headOf(*study, scratch / "out");
+  const auto head = codebookOf(*study, scratch / "out");
   EXPECT_EQ(head["blinded"], false);
   EXPECT_EQ(head["not_blinded_because"], "the position in 'felt' says which condition it is");
   const auto readme = tests::contentOf(scratch / "out/README.md");

@@ -79,7 +79,7 @@ TEST(SmallSamples, OfFiveKeepEverything) {
   EXPECT_EQ(leftOutInWords(family, {}), "");
 }
 
-/// The scores of one participant who answered everything, about @p condition.
+/// The scores of one participant who answered everything, about one condition.
 study::InstrumentSummary scoresOf(
     const questionnaires::Instrument& instrument, std::size_t people, const std::string& cohort) {
   study::InstrumentSummary summary{.instrument = instrument.id};

@@ -115,7 +115,7 @@ class NotedTrail : public testing::Test {
   /// As on another computer, where nothing but @p noted is known of the study.
   bool isSound(const std::string& noted = {}) {
     const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
-    return verify(*study_, {}, {.noted = noted}).isSound();
+    return verify(*study_, {}, {.notedHead = noted}).isSound();
   }
 
   tests::MadeStudy study_;

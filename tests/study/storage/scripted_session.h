@@ -46,9 +46,11 @@ struct Outcome {
   std::string error;  ///< in words
 };
 
-/// Opens the study in @p folder and runs the scripted session until a call throws. The fault is
-/// armed by @p arm, before the study is opened or before the first call.
+/// When a fault is armed.
 enum class Arm { BeforeOpening, BeforeTheFirstCall };
+
+/// Opens the study in @p folder and runs the scripted session until a call throws. @p arm arms the
+/// fault.
 Outcome runScript(const std::string& folder, Arm when, const std::function<void()>& arm);
 
 /// Checks, without faults, everything that must hold after any failure: acknowledged calls are
