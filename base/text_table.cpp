@@ -22,6 +22,10 @@ std::string_view trimmed(std::string_view text, std::string_view blanks) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);  // npos + 1 is 0: nothing remains
 }
 
+bool isBlank(std::string_view text) {
+  return trimmed(text, " \t\r\n").empty();
+}
+
 std::vector<std::string_view> splitText(std::string_view text, std::string_view blanks) {
   std::vector<std::string_view> pieces;
   for (auto begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {

@@ -18,6 +18,9 @@ std::string_view withoutByteOrderMark(std::string_view text);
 /// @p text without leading and trailing characters of @p blanks.
 std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
 
+/// Whether @p text has nothing but blanks and line breaks.
+bool isBlank(std::string_view text);
+
 /// The pieces of @p text between runs of characters of @p blanks.
 std::vector<std::string_view> splitText(std::string_view text, std::string_view blanks);
 

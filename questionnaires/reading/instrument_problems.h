@@ -51,9 +51,6 @@ struct TextPlace {
 /// they are shown. The pointers are valid until the instrument is changed or moved.
 std::vector<TextPlace> textPlacesOf(Instrument& instrument);
 
-/// Whether a text consists only of spaces, tabs and line ends.
-bool isBlank(const std::string& text);
-
 /// The placeholders in @p text, separated by commas: "[[a]], [[b]]".
 std::string placeholdersOf(const std::string& text);
 

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "base/search.h"
+#include "base/text_table.h"
 #include "questionnaires/reading/instrument_problems.h"
 
 namespace questionnaires {
@@ -96,10 +97,6 @@ std::vector<TextPlace> textPlacesOf(Instrument& instrument) {
   return TextPlaceCollector(instrument).all();
 }
 
-bool isBlank(const std::string& text) {
-  return text.find_first_not_of(" \t\r\n") == std::string::npos;
-}
-
 std::string placeholdersOf(const std::string& text) {
   std::string result;
   std::size_t start = text.find("[[");
@@ -141,7 +138,7 @@ void TextCheck::inspectLanguages(const std::string& path, const LocalizedText& t
   for (const auto& [language, words] : text.all()) {
     std::string place = path;
     place.append(".").append(language);
-    if (isBlank(words)) problems_.add(place, "this text is blank", "write something");
+    if (base::isBlank(words)) problems_.add(place, "this text is blank", "write something");
     if (!base::contains(languages_, language)) {
       problems_.warn(
           place,

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/search.h"
+#include "base/text_table.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/reading/instrument_problems.h"
 
@@ -40,7 +41,7 @@ void inspectTexts(const Wording& wording, const Instrument& instrument, Problems
   const auto missing = missingTexts(instrument, wording.language);
   for (const auto& place : missing) {
     const auto text = wording.texts.find(place);
-    const bool isThere = text != wording.texts.end() && !isBlank(text->second);
+    const bool isThere = text != wording.texts.end() && !base::isBlank(text->second);
     if (isThere && text->second.find("[[") == std::string::npos) continue;
     problems.add(
         "$.texts." + place,

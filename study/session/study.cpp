@@ -257,14 +257,14 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
         study + "'.");
   }
   transact([&] {
-    if (protocols().isAnyFrozen() && reason.empty()) {
+    if (protocols().isAnyFrozen() && base::isBlank(reason)) {
       throw StorageError(
           "A participant has begun. A change is a new version and needs a reason: add --reason "
           "\"…\".");
     }
     const Moment now = clock_->now();
     const auto id = protocols().add(
-        protocol, reason.empty() ? "before the first participant" : reason, asUtc(now.wall));
+        protocol, base::isBlank(reason) ? "before the first participant" : reason, asUtc(now.wall));
     events().append(
         {.when = now,
          .actor = storage::Actor::Operator,

@@ -1,5 +1,6 @@
 #include "study/session/study_key.h"
 
+#include "base/text_table.h"
 #include "study/model/user_error.h"
 #include "study/session/identity_evidence.h"
 #include "study/storage/erasure/erased_rows.h"
@@ -11,7 +12,7 @@ namespace {
 constexpr std::size_t kShortestPassphrase = 12;  // [bytes]
 
 void requireReason(const std::string& reason) {
-  if (reason.empty()) {
+  if (base::isBlank(reason)) {
     throw UserError("Say why: it goes into the audit trail (--reason \"…\").");
   }
 }

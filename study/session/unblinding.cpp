@@ -1,5 +1,6 @@
 #include "study/session/unblinding.h"
 
+#include "base/text_table.h"
 #include "study/session/backup.h"
 #include "study/storage/hasher.h"
 
@@ -26,8 +27,9 @@ bool noteCopy(Study& study, const storage::Event& event) {
 void recordUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason) {
   if (mode == RunMode::Simulated) return;
   const bool isOpen = study.protocol().protocol.isOpenLabel;
-  if (isOpen && reason.empty()) return;
-  if (reason.empty()) {
+  const bool hasReason = !base::isBlank(reason);
+  if (isOpen && !hasReason) return;
+  if (!hasReason) {
     throw storage::StorageError(
         "This names every condition beside the answers of real people, and whoever reads it is no "
         "longer blind. Say why it is wanted: it goes into the audit trail (--reason \"…\"). "

@@ -13,7 +13,7 @@ std::string_view Words::patternOf(
 }
 
 std::string Words::operator()(std::string_view english) const {
-  return base::shown(patternOf(catalogue_.texts, english, english));
+  return base::asDisplayed(patternOf(catalogue_.texts, english, english));
 }
 
 std::string Words::operator()(const base::Message& message) const {

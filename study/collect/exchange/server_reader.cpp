@@ -1,5 +1,6 @@
 #include "study/collect/exchange/server_reader.h"
 
+#include "base/text_table.h"
 #include "protocols/load_protocol.h"
 #include "study/collect/exchange/protocol_files.h"
 #include "study/collect/server/schema.h"
@@ -44,7 +45,7 @@ storage::StoredEvent eventIn(const Rows& rows, int row) {
 
 ServerReader::ServerReader(Connection& server, const std::string& name, const std::string& reason)
     : server_(server) {
-  if (reason.empty()) {
+  if (base::isBlank(reason)) {
     throw UserError(
         "What is pulled has the map of conditions in it. Say why it is needed: --reason \"…\".");
   }
