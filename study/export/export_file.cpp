@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/text_table.h"
 #include "study/export/codebook.h"
 #include "study/export/condition_codes.h"
 #include "study/export/export.h"
@@ -77,7 +78,7 @@ std::size_t writeAll(Study& study, const fs::path& folder, const ExportOptions& 
 
 /// @throws storage::StorageError  if @p options contradict each other or need a reason.
 void requireAllowed(const ExportOptions& options, const std::string& reason) {
-  if (!options.isBlinded && reason.empty()) {
+  if (!options.isBlinded && base::isBlank(reason)) {
     throw storage::StorageError(
         "To say which rendering was felt needs a reason: it goes into the audit trail.");
   }
@@ -156,6 +157,7 @@ bool noteExport(
              {"people", base::asArgument(release.after.people)},
              {"smallest", base::asArgument(release.after.smallest)},
              {"run_mode", std::string(nameOf(options.runMode.value_or(RunMode::Live)))}}});
+    rememberPublicExport(study, options.runMode.value_or(RunMode::Live), release.k);
   }
   if (!options.isBlinded) study.note(EventKind::UnblindedExport, reason);
   return isNoted;

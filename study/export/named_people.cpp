@@ -14,7 +14,7 @@ namespace {
 std::string describeClassSizes(const ClassSizes& classes) {
   if (classes.people == 0) return {};
   return "- " + std::to_string(classes.peopleInSmallClasses) + " of " +
-         words::counted(classes.people, "person is", "people are") +
+         words::counted(classes.people, "person who completed is", "people who completed are") +
          " alone with their cohort and background: a reader who knows these finds the other "
          "answers. To publish data, make an export for the public instead.\n";
 }

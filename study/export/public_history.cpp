@@ -1,11 +1,18 @@
 #include "study/export/public_history.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <set>
+#include <span>
+#include <string_view>
 #include <vector>
 
+#include "base/text_table.h"
 #include "study/export/public_people.h"
 #include "study/export/public_tables.h"
+#include "study/storage/evidence/trail_heads.h"
+#include "study/storage/station_store.h"
 #include "study/storage/stored_values.h"
 #include "study/words/counted.h"
 
@@ -17,6 +24,36 @@ struct EarlierExport {
   std::size_t k = 0;
   std::set<SessionId> completed;  ///< sessions that were completed before that export
 };
+
+/// The list of this account with the public exports of collected studies: each folder that is
+/// pulled begins a trail of its own.
+std::string listOf(Study& study) {
+  return "public-" + study.uuid();
+}
+
+std::string trailOf(Study& study) {
+  return storage::TrailHeads(study.database()).firstHash();
+}
+
+std::vector<EarlierExport> exportsOfOtherFolders(Study& study, RunMode mode) {
+  std::vector<EarlierExport> exports;
+  const auto store = storage::StationStore::find(storage::StationStore::defaultFolder());
+  if (!study.isCollected() || !store) return exports;
+  std::map<std::string_view, SessionId> sessions;  // by participant
+  const auto rows = study.sessions().all();
+  for (const auto& row : rows) sessions.emplace(row.participant, row.id);
+  for (const auto& line : store->lines(listOf(study))) {
+    const auto words = base::splitText(line, "\t");
+    if (words.size() < 3 || words[0] == trailOf(study) || words[1] != nameOf(mode)) continue;
+    EarlierExport one{.k = base::numberFrom<std::size_t>(words[2]).value_or(0)};
+    for (const auto& person : std::span(words).subspan(3)) {
+      const auto session = sessions.find(person);
+      if (session != sessions.end()) one.completed.insert(session->second);
+    }
+    exports.push_back(std::move(one));
+  }
+  return exports;
+}
 
 std::vector<EarlierExport> earlierExports(Study& study, RunMode mode) {
   std::vector<EarlierExport> exports;
@@ -33,6 +70,7 @@ std::vector<EarlierExport> earlierExports(Study& study, RunMode mode) {
     const auto smallest = number ? std::size_t(*number) : kSmallestPublicClassSize;
     exports.push_back({smallest, completed});
   }
+  std::ranges::move(exportsOfOtherFolders(study, mode), std::back_inserter(exports));
   return exports;
 }
 
@@ -77,6 +115,16 @@ std::vector<ReleasedColumn> columnsOfEarlierExport(
 
 }  // namespace
 
+void rememberPublicExport(Study& study, RunMode mode, std::size_t k) {
+  if (!study.isCollected() || mode == RunMode::Simulated) return;
+  auto line = trailOf(study) + "\t" + std::string(nameOf(mode)) + "\t" + std::to_string(k);
+  for (const auto& row : study.sessions().all()) {
+    if (row.runMode == mode && row.state == SessionState::Completed) line += "\t" + row.participant;
+  }
+  storage::StationStore::openOrCreate(storage::StationStore::defaultFolder())
+      .append(listOf(study), line);
+}
+
 ExportHistory exportHistory(Study& study, const ExportOptions& options) {
   const auto mode = options.runMode.value_or(RunMode::Live);
   const auto k = options.publicClassSize.value_or(kSmallestPublicClassSize);
@@ -106,9 +154,8 @@ void requireSafeFromDifferencing(Study& study, const ExportOptions& options) {
   if (history.combinedClasses.peopleInSmallClasses == 0) return;
   const auto k = options.publicClassSize.value_or(kSmallestPublicClassSize);
   throw storage::StorageError(
-      "There are " + words::counted(history.earlier, "earlier public export") +
-      " of this study. Who lays them beside this one finds the same people by their answers, and "
-      "would know " +
+      "This study was published before, in " + words::counted(history.earlier, "public export") +
+      ". Who lays that beside this one finds the same people by their answers, and would know " +
       words::counted(history.combinedClasses.peopleInSmallClasses, "person", "people") + " (" +
       std::to_string(history.newPeople) + " of them new) as one of fewer than " +
       std::to_string(k) + ". Nothing was written. Wait until at least " + std::to_string(k) +

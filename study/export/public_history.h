@@ -20,6 +20,10 @@ struct ExportHistory {
 /// completed at that time what each export released. Empty for simulated sessions.
 ExportHistory exportHistory(Study& study, const ExportOptions& options);
 
+/// Remembers the export of a collected study in a list of this account, for folders that are pulled
+/// later. @throws storage::StorageError
+void rememberPublicExport(Study& study, RunMode mode, std::size_t k);
+
 /// @throws storage::StorageError  if a class has fewer than ExportOptions::publicClassSize people
 /// after
 ///     the export is combined with earlier ones.

@@ -9,10 +9,12 @@
 
 #include "study/collect/exchange/pull.h"
 #include "study/collect/server/registry.h"
+#include "study/export/export.h"
 #include "study/model/user_error.h"
 #include "study/results/results.h"
 #include "study/session/erasure.h"
 #include "study/session/verification.h"
+#include "study/storage/erasure/erasure_repository.h"
 #include "study/storage/statement.h"
 #include "tests/study/collect/collected_study_at.h"
 #include "tests/study/collect/line.h"
@@ -303,10 +305,12 @@ TEST_F(Collection, AnErasureTravelsToTheServerAndToEveryLaterPull) {
   runSession("oslo");
   push("oslo");
   const auto early = pulled("early");
+  std::string erasedUtc;
   {
     const auto account = accountOf("oslo");
     auto study = Study::open(folderOf("oslo"), clock_);
     study::erase(study, {.participant = code, .reason = "asked for it"});
+    erasedUtc = study::storage::ErasureRepository(study.database()).all().at(0).utc;
   }
   push("oslo");
   EXPECT_EQ(count("content_key"), 1);
@@ -316,10 +320,37 @@ TEST_F(Collection, AnErasureTravelsToTheServerAndToEveryLaterPull) {
   EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo")}));
   EXPECT_EQ(result_.stations.at(0).erased, 1U);
   EXPECT_EQ(problemsOf(scratch_ / "union"), kNone);
+  {
+    const auto account = accountOf("analyst");
+    auto study = Study::open(scratch_ / "union", clock_);
+    const auto erased = study::storage::ErasureRepository(study.database()).all().at(0);
+    EXPECT_EQ(erased.utc, erasedUtc);
+    EXPECT_EQ(erased.level, study::storage::ErasureLevel::All);
+  }
   // A folder that was pulled before forgets as well, when it is opened on that computer.
   const auto account = accountOf("analyst");
   auto study = Study::open(early, clock_);
   EXPECT_EQ(study.sessions().all().front().state, study::SessionState::Erased);
+}
+
+TEST_F(Collection, APublicExportIsComparedWithThoseOfFoldersThatWerePulledEarlier) {
+  const auto publish = [&](const std::string& name) -> std::string {
+    push("oslo");
+    const auto account = accountOf("analyst");
+    auto study = Study::open(pulled(name), clock_);
+    try {
+      exportStudy(study, scratch_ / ("public-" + name), {.publicClassSize = 5});
+      return "";
+    } catch (const study::storage::StorageError& error) {
+      return error.what();
+    }
+  };
+  addStation("oslo");
+  for (int i = 0; i < 5; ++i) runSession("oslo");
+  EXPECT_EQ(publish("first"), "");
+  EXPECT_EQ(publish("again"), "") << "the same people";
+  runSession("oslo");
+  EXPECT_NE(publish("second").find("1 of them new"), std::string::npos);
 }
 
 TEST_F(Collection, SessionsOfACollectedStudyCannotGoOn) {
