@@ -66,6 +66,9 @@ class CertificateRows {
     for (const auto& copy : certificate_.notErasedFrom) {
       rows.emplace_back(words_("Copy that is left"), knownCopyInWords(copy));
     }
+    if (!report.stationToPush.empty()) {
+      rows.emplace_back(words_("The study's server"), leftOnServer());
+    }
     if (!report.whyNotListed.empty()) {
       rows.emplace_back(words_("Not listed here"), report.whyNotListed);
     }
@@ -116,7 +119,19 @@ class CertificateRows {
           copy.madeUtc);
     }
     return copy.folder + (copy.madeUtc.empty() ? "" : words_.say(", of {}", copy.madeUtc)) +
-           (copy.isPresent ? "" : " " + words_("(not there any more)"));
+           (copy.isPresent ? "" : " " + words_("(not on this computer now)"));
+  }
+
+  std::string leftOnServer() const {
+    const auto& report = certificate_.report;
+    return report.isInPulledFolder
+               ? words_.say(
+                     "NOT ERASED there, nor at the station {}. Erase there, and push: what is "
+                     "pulled afterwards is without it",
+                     report.stationToPush)
+               : words_.say(
+                     "not yet: it is erased there when this station ({}) pushes next",
+                     report.stationToPush);
   }
 
   const ErasureCertificate& certificate_;

@@ -14,6 +14,7 @@
 #include "study/storage/erasure/erasure_repository.h"
 #include "study/storage/map/study_keys.h"
 #include "study/storage/statement.h"
+#include "study/storage/stored_values.h"
 #include "study/storage/study_schema.h"
 
 namespace study {
@@ -117,25 +118,24 @@ CollectedStudy::~CollectedStudy() {
 }
 
 void CollectedStudy::add(std::int64_t number, const storage::SessionTables& facts) {
-  const auto id = storage::addSessionTables(files_->study, facts);
-  sessions_[number] = id;
+  sessions_[number] = storage::addSessionTables(files_->study, facts);
   ++sessionCount_;
-  const auto row = storage::SessionRepository(files_->study).load(id);
-  if (row.state == SessionState::Erased) noteErasure(row);
 }
 
 /// Records as finished an erasure that was done at a station, so that Study::open() does not repeat
 /// it.
-void CollectedStudy::noteErasure(const storage::SessionRow& row) {
+void CollectedStudy::noteErasure(const storage::StoredEvent& event) {
+  const auto row = storage::SessionRepository(files_->study).load(SessionId{*event.session});
   storage::ErasureRepository erasures(files_->study);
   if (erasures.hasErasedAnswersOf(row.participant)) return;
-  const auto utc = row.endedUtc.value_or(asUtc(clock_.now().wall));
+  const auto values = storage::valuesIn(event.detail).value_or(base::NamedArguments{});
   erasures.add(
       {.participant = row.participant,
-       .level = storage::ErasureLevel::Answers,
+       .level = storage::erasureLevelNamed(storage::storedText(values, "level"))
+                    .value_or(storage::ErasureLevel::Answers),
        .reason = "erased at the station " + row.station,
-       .utc = utc,
-       .finishedUtc = utc});
+       .utc = event.utc,
+       .finishedUtc = event.utc});
 }
 
 void CollectedStudy::add(std::int64_t number, const storage::TraceChunk& chunk) {
@@ -154,6 +154,7 @@ void CollectedStudy::addKey(const std::string& participant, const storage::Seali
 void CollectedStudy::add(const Trail& trail, std::vector<storage::StoredEvent> events) {
   for (auto& event : events) {
     if (event.session) event.session = static_cast<std::int64_t>(sessions_.at(*event.session));
+    if (event.session && event.kind == nameOf(EventKind::Erased)) noteErasure(event);
     lastEventOf_[event.session] = events_->count();
     events_->put(event);
   }

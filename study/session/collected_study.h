@@ -59,8 +59,8 @@ class CollectedStudy {
   void add(std::int64_t number, const storage::TraceChunk& chunk);
   /// Adds the content key of a participant of the station.
   void addKey(const std::string& participant, const storage::SealingKey& key);
-  /// Adds the trail of a station. Call it after all sessions of this station were added, and before
-  /// those of the next one.
+  /// Adds the trail of a station, with its erasures. Call it after all sessions of this station
+  /// were added, and before those of the next one.
   void add(const Trail& trail, std::vector<storage::StoredEvent> events);
 
   /// Writes and signs the trail, and renames the folder to its final name.
@@ -69,7 +69,7 @@ class CollectedStudy {
 
  private:
   struct Files;
-  void noteErasure(const storage::SessionRow& row);
+  void noteErasure(const storage::StoredEvent& event);
   /// Writes the events of all stations to the collected study's trail.
   void appendTrail(const std::string& reason);
   /// The event with its detail unsealed. @param own  the participant's content key

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/text_table.h"
 #include "study/model/user_error.h"
 #include "study/model/words_of_names.h"
 #include "study/session/identity_evidence.h"
@@ -35,7 +36,7 @@ std::vector<storage::SessionRow> sessionsOf(Study& study, const std::string& par
 }
 
 void requireReason(Study& study, const ErasureRequest& request) {
-  if (request.reason.empty()) {
+  if (base::isBlank(request.reason)) {
     throw UserError("Say why, without a name: it stays in the audit trail (--reason \"…\").");
   }
   if (study.identities().isLocked()) return;
@@ -305,7 +306,10 @@ ErasureReport eraseParticipant(Study& study, const ErasureRequest& request) {
 
 ErasureReport erase(Study& study, const ErasureRequest& request) {
   requireErasable(study, request);
+  const auto station = sessionsOf(study, request.participant).front().station;
   auto report = eraseParticipant(study, request);
+  if (erasesAnswers(request.level)) report.stationToPush = station;
+  report.isInPulledFolder = study.isCollected();
   report.whyNotListed = listOnStation(report.listed);
   return report;
 }

@@ -36,7 +36,12 @@ struct ErasureReport {
   /// Files of the study's folder that still contain one of these texts.
   std::vector<std::string> filesWithTexts;
   storage::ListedErasure listed;  ///< the erasure, for repeating it in other copies of the study
-  std::string whyNotListed;       ///< why the erasure is not in this station's list; empty if it is
+  /// In a study at several sites: the label of the station that recorded the participant, whose
+  /// answers the server keeps until that station has pushed the erasure. Else empty.
+  std::string stationToPush;
+  /// The erasure was done in a folder that was pulled: the server and the station keep the answers.
+  bool isInPulledFolder = false;
+  std::string whyNotListed;  ///< why the erasure is not in this station's list; empty if it is
 };
 
 /// Erases a participant. Only the code, cohort, times, drawn order, events without their details,

@@ -161,6 +161,18 @@ std::vector<fs::path> unfinishedFoldersOf(const fs::path& copy) {
   return folders;
 }
 
+/// The events without those of the stations from which the study was collected: their paths are of
+/// other computers.
+std::vector<storage::Event> eventsOfThisFolder(Study& study) {
+  auto events = study.events().read();
+  if (!study.isCollected() || events.empty()) return events;
+  const auto ofStations = storage::storedValue<std::int64_t>(events.front().values, "events");
+  const auto count = std::clamp<std::int64_t>(
+      ofStations.value_or(0) + 1, 0, static_cast<std::int64_t>(events.size()));
+  events.erase(events.begin(), events.begin() + count);
+  return events;
+}
+
 /// Whether the copy may have data of sessions of @p mode.
 bool mayHold(const KnownCopy& copy, RunMode mode) {
   return copy.runMode.empty() || copy.runMode == "all" || copy.runMode == nameOf(mode);
@@ -178,7 +190,7 @@ RunMode runModeOf(Study& study, const std::string& participant) {
 std::vector<KnownCopy> knownCopies(Study& study) {
   std::vector<KnownCopy> copies;
   std::error_code ignored;
-  for (const auto& event : study.events().read()) {
+  for (const auto& event : eventsOfThisFolder(study)) {
     const auto folder = textIn(event, "folder");
     if (folder.empty() || isSamePath(folder, study.folder())) continue;
     copies.push_back(

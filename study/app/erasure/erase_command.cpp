@@ -64,6 +64,10 @@ int repeatErasures(const ErasureArguments& options) {
     const bool isThere = study.sessions().enrolledUtc(erasure.participant) == erasure.enrolledUtc;
     if (isThere) {
       fmt::print("{} is erased from {}.\n", erasure.participant, options.folder);
+      for (const auto& copy : copiesNotErased(study, {}, erasure.participant)) {
+        if (!copy.isPresent || copy.folder.empty()) continue;
+        fmt::print("Copy that is left, and may have the participant: {}\n", copy.folder);
+      }
     } else {
       fmt::print(
           "{} does not have the participant {} of the certificate. Nothing was changed.\n",

@@ -41,7 +41,7 @@ TEST(ErasureCertificate, TellsWhatWasErasedAndWhatIsLeft) {
         "/disk/monday: erased",
         "/disk/table: removed",
         "/disk/other: NOT ERASED. It is another.",
-        "/gone, of 2026-11-21 (not there any more)",
+        "/gone, of 2026-11-21 (not on this computer now)",
         "the consent form, of 2026-11-22; where it was saved is not noted"}) {
     EXPECT_NE(text.find(said), std::string::npos) << said << "\n" << text;
   }
