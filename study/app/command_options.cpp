@@ -109,6 +109,15 @@ void addWordingOption(CLI::App& command, std::string& wording) {
       ->capture_default_str();
 }
 
+void printNeedOfServer(const Study& study) {
+  if (study.station().isNone()) return;
+  fmt::print(
+      "This is one station of several: what is recorded with this version is refused by the server "
+      "until it has the version, too. Whoever runs the study adds it there: palpate study protocol "
+      "{} --out FILE, palpate collect init --protocol FILE.\n",
+      asShellWord(study.folder().string()));
+}
+
 std::string asShellWord(const std::string& word) {
   const auto isPlain = [](unsigned char c) {
     return std::isalnum(c) != 0 || c >= 0x80 ||

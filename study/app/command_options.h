@@ -81,6 +81,9 @@ void addWordingOption(CLI::App& command, std::string& wording);
 /// letters, digits and a few signs.
 std::string asShellWord(const std::string& word);
 
+/// After an amendment at one of several stations: prints that the server needs the version, too.
+void printNeedOfServer(const Study& study);
+
 /// Makes every option --seed of @p program and its commands refuse negative numbers, which would be
 /// read as large ones.
 void refuseNegativeSeeds(CLI::App& program);

@@ -141,6 +141,7 @@ int amend(const StudyArguments& options) {
         "new study.\n");
   }
   fmt::print("New sessions use {} from now on.\n", options.protocol);
+  printNeedOfServer(study);
   if (!kept.empty()) fmt::print("Texts kept from the study: {}.\n", keysOf(kept));
   return 0;
 }

@@ -1,5 +1,4 @@
 // Lists and fills in the blanks in texts that participants read.
-#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -7,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/joined.h"
+#include "base/search.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/app/command_options.h"
@@ -46,7 +46,7 @@ void setBlankText(
     language = key.substr(0, colon);
     key = key.substr(colon + 1);
   }
-  if (std::ranges::find(languages, language) == languages.end()) {
+  if (!base::contains(languages, language)) {
     throw UserError(fmt::format(
         "'{}': the protocol has no texts in '{}', only in {}.",
         assignment,
@@ -73,7 +73,7 @@ protocols::LoadedProtocol withFilledBlanks(
   }
   for (const auto& [key, text] : filled->protocol.texts) {
     const auto& blanks = filled->blanks;
-    if (std::find(blanks.begin(), blanks.end(), key) != blanks.end()) continue;
+    if (base::contains(blanks, key)) continue;
     throw UserError(
         "No text has the blank '" + key + "'. 'palpate protocol texts' lists the keys.");
   }
@@ -132,7 +132,9 @@ int listOrFillStudyTexts(const TextsArguments& options) {
   const auto filled = withFilledBlanks(study.protocol(), options.set);
   study.amend(filled, options.reason);
   listBlanks(filled, options.json);
-  if (!options.json) fmt::print("New sessions show these texts from now on.\n");
+  if (options.json) return 0;
+  fmt::print("New sessions show these texts from now on.\n");
+  printNeedOfServer(study);
   return 0;
 }
 

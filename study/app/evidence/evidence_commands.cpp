@@ -1,6 +1,7 @@
 // Commands that prove that a study's data are the recorded ones.
 #include <cstdio>
 #include <string>
+#include <variant>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -104,6 +105,30 @@ int restored(const EvidenceArguments& options) {
   return 0;
 }
 
+std::string detailOf(const storage::Event& event) {
+  std::string words = event.detail;
+  for (const auto& [name, value] : event.values) {
+    const auto text =
+        std::visit([](const auto& stored) { return fmt::format("{}", stored); }, value);
+    if (!text.empty()) words += (words.empty() ? "" : ", ") + name + ": " + text;
+  }
+  return words;
+}
+
+int listTrail(const EvidenceArguments& options) {
+  auto study = Study::open(options.folder, Access::ReadOnly);
+  for (const auto& event : study.events().read()) {
+    if (event.visit) continue;  // what happened in a session is in an export's events.csv
+    fmt::print(
+        "{}  {}  {:<18} {}\n",
+        asUtc(event.when.wall),
+        nameOf(event.actor),
+        event.name(),
+        detailOf(event));
+  }
+  return 0;
+}
+
 void addNewWitness(CLI::App& verb, EvidenceArguments& options) {
   verb.add_option(
           "--write-witness",
@@ -160,6 +185,14 @@ void addEvidenceCommands(CLI::App& parentCommand, Action& action) {
       ->type_name("FOLDER")
       ->required();
   addNewWitness(*backup, copying);
+
+  auto [trail, listing] = addCommand(
+      parentCommand,
+      action,
+      "trail",
+      "List the audit trail of the study itself: exports, keys, erasures, … with who, when and why",
+      listTrail);
+  addStudyFolder(*trail, listing.folder);
 
   auto [verify, verifying] = addCommand(
       parentCommand,

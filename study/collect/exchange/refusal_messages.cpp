@@ -19,7 +19,9 @@ constexpr std::array kRefusals{
         "The server has other data of this station under the same numbers. Two copies of this "
         "study's folder have gone on by themselves: an older backup was put back, or the folder "
         "was copied to a second computer. Go on with the copy that sent last; for the other one "
-        "ask for an enrolment of its own. Nothing was changed on the server, and both copies are "
+        "ask for an enrolment of its own. If only this copy is left, ask for 'palpate collect "
+        "set-aside' on the server, and push again. Nothing was changed on the server, and both "
+        "copies are "
         "as they were."},
     Refusal{
         "older_copy",
@@ -82,7 +84,9 @@ std::string wordsFor(const ErasureReceipt& receipt) {
   const auto what = "session " + std::to_string(receipt.session) + " of " + receipt.participant;
   if (receipt.left == 0) {
     return "erased on the server: " + what + ", on " + receipt.utc +
-           ". No answer, no sample and no key of it is left there.";
+           ". No answer, no sample and no key of it is left in its tables. PostgreSQL keeps "
+           "deleted rows "
+           "in its files until the administrator has them rewritten (docs/collecting.md).";
   }
   return "NOT erased on the server: of " + what + " " + std::to_string(receipt.left) +
          " answers, samples or keys are left. Tell the server's administrator.";

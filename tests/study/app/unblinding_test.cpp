@@ -58,6 +58,17 @@ TEST_F(UnblindingTest, NeedsAReasonForSessionsOfPeopleOnly) {
   recordUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, "plan signed");
   recordUnblinding(*study_, RunMode::Pilot, EventKind::UnblindedReport, "pilot done");
   EXPECT_EQ(reasonsOf("unblinded_report"), (std::vector<std::string>{"plan signed", "pilot done"}));
+  EXPECT_THROW(
+      recordUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, " \t"),
+      storage::StorageError);
+}
+
+TEST_F(UnblindingTest, IsListedWithItsReasonByStudyTrail) {
+  recordUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, "plan signed");
+  const auto trail = palpate({"study", "trail", study_.folder()});
+  EXPECT_EQ(trail.status, 0) << trail.error;
+  EXPECT_NE(trail.out.find("unblinded_report   plan signed\n"), std::string::npos) << trail.out;
+  EXPECT_EQ(trail.out.find("answered"), std::string::npos) << "of a session";
 }
 
 TEST_F(UnblindingTest, KeepsTheReasonWhyAnOlderCopyWasPutBack) {
