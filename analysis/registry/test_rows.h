@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "analysis/data/test_row.h"
 #include "analysis/effects/bayes_factor.h"

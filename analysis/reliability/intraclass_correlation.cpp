@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "analysis/data/two_way_layout.h"
 #include "analysis/numerics/distributions.h"

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/data/likert_counts.h"
 #include "analysis/hypothesis_tests/t_tests.h"
 #include "analysis/models/meta_analysis.h"
 #include "analysis/summary/within_analysis.h"

@@ -1,7 +1,6 @@
 // Fits of densities: error against run time of several methods.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <vector>
 
 #include <Eigen/IterativeLinearSolvers>

@@ -1,9 +1,7 @@
 #include "haptics/emulators/fri_fault_queue.h"
 
-#include <algorithm>
 #include <charconv>
 #include <system_error>
-#include <vector>
 
 #include "base/text_table.h"
 

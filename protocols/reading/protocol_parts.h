@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <optional>
 #include <string_view>
 
 #include "protocols/model/protocol.h"

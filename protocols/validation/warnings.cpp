@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "base/search.h"
 #include "protocols/model/messages.h"

@@ -5,7 +5,6 @@
 #include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "base/search.h"
 #include "questionnaires/json/document.h"

@@ -1,8 +1,6 @@
 // palpate-bench stats: the time from opening a study's database to the table of comparisons.
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>

@@ -5,7 +5,6 @@
 
 #include "questionnaires/model/answer.h"
 #include "questionnaires/model/instrument.h"
-#include "study/export/study_tables.h"
 #include "study/export/value_lists.h"
 
 namespace study {

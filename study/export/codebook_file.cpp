@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "study/export/codebook.h"
-#include "study/export/condition_codes.h"
 #include "study/export/export_parts.h"
 #include "study/export/named_people.h"
 #include "study/export/public_tables.h"

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <map>
 
-#include "base/random.h"
 #include "protocols/validation/validation.h"
 #include "study/export/codebook.h"
 #include "study/export/export.h"

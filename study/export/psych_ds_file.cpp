@@ -4,9 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "study/export/codebook.h"
 #include "study/export/export_parts.h"
-#include "study/export/statistics_table.h"
 #include "study/model/new_file.h"
 
 namespace study {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "study/export/export.h"
 #include "study/export/k_anonymity.h"
 

@@ -1,6 +1,5 @@
 #include "study/export/public_tables.h"
 
-#include <algorithm>
 #include <numeric>
 #include <set>
 #include <stdexcept>

@@ -1,6 +1,5 @@
 #include "study/export/statistics_table.h"
 
-#include <algorithm>
 #include <map>
 
 #include "base/joined.h"

@@ -5,7 +5,6 @@
 #include "study/export/k_anonymity.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
-#include "study/results/apa_text.h"
 
 namespace study::report {
 namespace {

@@ -5,7 +5,6 @@
 #include <functional>
 #include <map>
 #include <set>
-#include <tuple>
 
 #include "study/model/study_files.h"
 #include "study/session/drawn_plan.h"

@@ -11,7 +11,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/serial_port.h"
 #include "haptics/registry/device_kinds.h"
 #include "questionnaires/json/document.h"

@@ -1,5 +1,4 @@
 // The check of a punch: PunchDevice::check().
-#include <array>
 #include <cmath>
 #include <utility>
 

@@ -6,7 +6,6 @@
 
 #include "study/app/command_options.h"
 #include "study/app/keys/ask_passphrase.h"
-#include "study/model/user_error.h"
 #include "study/session/study_key.h"
 
 namespace study::app {

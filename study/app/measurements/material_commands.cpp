@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/data/csv_table.h"
 #include "analysis/published/published_table.h"
 #include "questionnaires/json/document.h"
 #include "study/app/command_options.h"

@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/data/csv_table.h"
-
 namespace study::app {
 namespace {
 

@@ -14,7 +14,6 @@
 #include "study/collect/exchange/push.h"
 #include "study/collect/server/registry.h"
 #include "study/collect/server/schema.h"
-#include "study/model/user_error.h"
 #include "study/words/counted.h"
 
 namespace study::collect {

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "study/collect/exchange/batch.h"
 #include "study/session/arrivals.h"

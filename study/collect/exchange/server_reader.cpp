@@ -1,7 +1,6 @@
 #include "study/collect/exchange/server_reader.h"
 
 #include "base/text_table.h"
-#include "protocols/load_protocol.h"
 #include "study/collect/exchange/protocol_files.h"
 #include "study/collect/server/schema.h"
 #include "study/model/user_error.h"

@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <cmath>
 
 #include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/svg_canvas.h"
-#include "study/results/results_text.h"
 
 namespace study::report {
 namespace {

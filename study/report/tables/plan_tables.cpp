@@ -1,7 +1,6 @@
 #include "study/report/tables/plan_tables.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 

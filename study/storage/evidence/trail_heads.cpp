@@ -1,7 +1,6 @@
 #include "study/storage/evidence/trail_heads.h"
 
 #include <algorithm>
-#include <optional>
 #include <sstream>
 #include <utility>
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "study/model/run_mode.h"
-#include "study/storage/keys/sealed_condition.h"
 #include "study/storage/session_repository.h"
 #include "study/storage/statement.h"
 #include "study/storage/trial_repository.h"

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "haptics/devices/iiwa/reamer_kind.h"
-#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/engine/bone_models.h"
 #include "haptics/engine/built_in_models.h"

@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "haptics/recordings/force_curve.h"
-
 namespace tests {
 
 /// A recording made up for a test: a hand that rests open, closes, presses, opens, as often as

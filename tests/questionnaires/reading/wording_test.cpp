@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "questionnaires/reading/instrument_file.h"
 #include "tests/questionnaires/shipped_instruments.h"
 
 namespace questionnaires {

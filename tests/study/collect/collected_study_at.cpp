@@ -10,7 +10,6 @@
 #include "study/collect/exchange/enrolment.h"
 #include "study/collect/server/registry.h"
 #include "study/collect/server/schema.h"
-#include "study/model/user_error.h"
 #include "study/storage/protocol_repository.h"
 #include "study/storage/study_schema.h"
 #include "study/storage/transfer/session_facts.h"

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "study/model/user_error.h"
 #include "tests/study/collect/collected_study_at.h"
 #include "tests/study/collect/line.h"
 #include "tests/support/long_form.h"

@@ -7,7 +7,6 @@
 #include "study/collect/exchange/enrolment.h"
 #include "study/collect/exchange/pull.h"
 #include "study/collect/server/registry.h"
-#include "study/model/user_error.h"
 #include "study/session/erasure.h"
 #include "study/storage/hasher.h"
 #include "study/storage/statement.h"

@@ -18,7 +18,6 @@
 
 #include "analysis/data/csv_table.h"
 #include "study/cohort/simulated_participant.h"
-#include "study/export/codebook.h"
 #include "study/export/export.h"
 #include "study/storage/records.h"
 #include "study/storage/trace_store.h"

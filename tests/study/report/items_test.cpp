@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "analysis/summary/within_analysis.h"
-#include "study/report/html_report.h"
 #include "study/report/study_parts.h"
 #include "study/results/answer_tables.h"
 #include "study/results/item_summaries.h"
@@ -361,22 +360,22 @@ TEST(ItemSummaries, MarkReversedQuestionsAndSayTextsThatAreAlikeOnce) {
 
 TEST(ScaleInWords, HasTheWordsAtTheEndsOfASlider) {
   auto demand = item("mental", ItemType::Slider);
-  demand.scale.lowLabel = demand.scale.highLabel = questionnaires::LocalizedText({{"en", "-"}});
-  demand.leftText = questionnaires::LocalizedText({{"en", "Very low"}});
-  demand.rightText = questionnaires::LocalizedText({{"en", "Very high"}});
+  demand.scale.lowLabel = demand.scale.highLabel = inEnglish("-");
+  demand.leftText = inEnglish("Very low");
+  demand.rightText = inEnglish("Very high");
   using Items = std::vector<const questionnaires::Item*>;
   const words::Words english;
   EXPECT_EQ(
       report::scaleInWords(Items{&demand}, english), "scale from 0 (Very low) to 100 (Very high)");
   auto performance = demand;
-  performance.rightText = questionnaires::LocalizedText({{"en", "Failure"}});
+  performance.rightText = inEnglish("Failure");
   EXPECT_EQ(report::scaleInWords(Items{&demand, &performance}, english), "scale from 0 to 100");
 }
 
 TEST(ScaleInWords, HasNoWordsOfTheFormsPointsAtTheEndsOfANumber) {
   auto knees = item("knees", ItemType::Number);
   knees.most = 20000.0;
-  knees.scale.lowLabel = knees.scale.highLabel = questionnaires::LocalizedText({{"en", "-"}});
+  knees.scale.lowLabel = knees.scale.highLabel = inEnglish("-");
   EXPECT_EQ(report::scaleInWords({&knees}, words::Words()), "scale from 0 to 20000");
 }
 

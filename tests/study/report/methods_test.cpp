@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "analysis/registry/registry.h"
-#include "study/report/html_report.h"
 #include "study/report/references.h"
 #include "study/report/study_parts.h"
 #include "tests/study/report/section.h"

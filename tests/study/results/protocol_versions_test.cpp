@@ -7,7 +7,6 @@
 
 #include "study/export/codebook.h"
 #include "study/export/export_rows.h"
-#include "study/export/study_tables.h"
 #include "study/results/pooled_results.h"
 #include "study/results/results.h"
 #include "tests/study/exported_rows.h"

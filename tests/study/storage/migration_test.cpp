@@ -6,7 +6,6 @@
 
 #include "study/results/results_text.h"
 #include "study/session/verification.h"
-#include "study/storage/content_hash.h"
 #include "study/storage/identity_store.h"
 #include "study/storage/records.h"
 #include "study/storage/study_schema.h"

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/devices/punch/punch_kind.h"
 #include "tests/haptics/devices/punch/emulated_punch.h"
 #include "tests/support/allocation_counter.h"
 
