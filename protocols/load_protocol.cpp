@@ -1,9 +1,9 @@
 #include "protocols/load_protocol.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "base/search.h"
 #include "protocols/reading/anatomy_file.h"
 #include "protocols/reading/packing_file.h"
 #include "protocols/reading/protocol_file.h"
@@ -173,7 +173,7 @@ questionnaires::BlankTexts keptTexts(const LoadedProtocol& before, const LoadedP
     if (text == before.protocol.texts.end() || changed.protocol.texts.contains(key)) continue;
     auto translations = text->second.all();
     std::erase_if(translations, [&](const auto& each) {
-      return each.first != "en" && std::ranges::find(languages, each.first) == languages.end();
+      return each.first != "en" && !base::contains(languages, each.first);
     });
     kept.emplace(key, questionnaires::LocalizedText(std::move(translations)));
   }

@@ -51,7 +51,7 @@ CompleteCaseMeans completeCaseMeans(
   const auto all = table.participantMeans();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto has = [&](std::size_t method) { return all[i][method].has_value(); };
-    if (!std::all_of(methods.begin(), methods.end(), has)) {
+    if (!std::ranges::all_of(methods, has)) {
       complete.excludedParticipants.push_back(i);
       continue;
     }

@@ -1,13 +1,13 @@
 #include "analysis/data/test_row.h"
 
-#include <algorithm>
 #include <stdexcept>
+
+#include "base/search.h"
 
 namespace analysis {
 
 const TestRow* findTest(std::span<const TestRow> rows, std::string_view id) {
-  const auto found = std::ranges::find(rows, id, &TestRow::id);
-  return found == rows.end() ? nullptr : &*found;
+  return base::withId(rows, id);
 }
 
 const TestRow& testNamed(std::span<const TestRow> rows, std::string_view id) {

@@ -122,7 +122,7 @@ class FlagFinder {
   /// Whether any participant answered more than once about a method.
   bool hasRepeatedAnswers() const {
     std::set<std::pair<std::size_t, std::size_t>> seen;
-    return std::any_of(table_.answers.begin(), table_.answers.end(), [&](const auto& answer) {
+    return std::ranges::any_of(table_.answers, [&](const auto& answer) {
       return !seen.insert({answer.participant, answer.method}).second;
     });
   }
@@ -132,7 +132,7 @@ class FlagFinder {
     for (const auto& answer : table_.answers) asked[answer.method].insert(answer.statement);
     const auto& first = asked.begin()->second;
     const bool areSameForAll =
-        std::all_of(asked.begin(), asked.end(), [&](const auto& of) { return of.second == first; });
+        std::ranges::all_of(asked, [&](const auto& of) { return of.second == first; });
     if (!areSameForAll) {
       add("items_not_common_to_methods",
           {text("items_not_common_to_methods")},
@@ -232,10 +232,8 @@ class FlagFinder {
           {Message::verbatim("Fisher 1935"), text("source.planning")});
     }
     const double rounded = std::round(perTest * 1000.0) / 1000.0;
-    const bool isDecidedByRounding =
-        std::any_of(facts_.pValues.begin(), facts_.pValues.end(), [&](double p) {
-          return (p <= perTest) != (p <= rounded);
-        });
+    const bool isDecidedByRounding = std::ranges::any_of(
+        facts_.pValues, [&](double p) { return (p <= perTest) != (p <= rounded); });
     if (isDecidedByRounding) {
       add("alpha_rounded", {text("alpha_rounded", perTest, rounded)}, {text("source.punch_paper")});
     }

@@ -218,13 +218,13 @@ MixedDesign mixedDesignOf(const AnswerTable& table) {
 bool hasLevels(const FixedEffects& fixed, const DeclaredPair& pair) {
   const auto& levels = fixed.factor(kMethodFactorName).levels;
   const auto isThere = [&](const std::string& name) {
-    return std::find(levels.begin(), levels.end(), name) != levels.end();
+    return std::ranges::find(levels, name) != levels.end();
   };
   return isThere(pair.first) && isThere(pair.second);
 }
 
 std::size_t indexOfMethod(const AnswerTable& table, const std::string& method) {
-  const auto found = std::find(table.methods.begin(), table.methods.end(), method);
+  const auto found = std::ranges::find(table.methods, method);
   if (found == table.methods.end()) {
     throw std::invalid_argument("a pair names a method that is not there");
   }

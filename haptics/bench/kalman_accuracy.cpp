@@ -194,7 +194,7 @@ void reportErrorsOnHostileInput(double decades, const AccuracyRun& run) {
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto& errors = tallies[i].errors;
-    std::sort(errors.begin(), errors.end());
+    std::ranges::sort(errors);
     const double p99 =
         errors[static_cast<std::size_t>(0.99 * static_cast<double>(errors.size() - 1))];
     run.report(

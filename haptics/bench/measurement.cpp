@@ -100,8 +100,8 @@ std::vector<RepeatedMeasurement> mergedOverProcesses(const std::vector<Measureme
     if (medians.empty()) continue;
     all[i].measurement.time =
         Timing{filters::upperMedian(medians), filters::upperMedian(times[i].p99s)};
-    all[i].fastest = *std::min_element(medians.begin(), medians.end());
-    all[i].slowest = *std::max_element(medians.begin(), medians.end());
+    all[i].fastest = *std::ranges::min_element(medians);
+    all[i].slowest = *std::ranges::max_element(medians);
   }
   return all;
 }

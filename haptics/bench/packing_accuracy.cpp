@@ -146,7 +146,7 @@ void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
   }
   [[maybe_unused]] static volatile std::uint64_t sink = 0;
   sink = sum;
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   run.report(
       {.family = kPackingFamily,
        .setting = isCold ? "removal at 2 mm/s, cold" : "removal at 2 mm/s",

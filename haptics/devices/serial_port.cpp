@@ -46,8 +46,8 @@ constexpr std::array<std::pair<int, speed_t>, 6> kBaudRates{
      {2'000'000, B2000000}}};
 
 const std::pair<int, speed_t>* speedOf(int baud) noexcept {
-  const auto* speed = std::find_if(
-      kBaudRates.begin(), kBaudRates.end(), [&](const auto& known) { return known.first == baud; });
+  const auto* speed =
+      std::ranges::find_if(kBaudRates, [&](const auto& known) { return known.first == baud; });
   return speed == kBaudRates.end() ? nullptr : speed;
 }
 
@@ -176,7 +176,7 @@ std::vector<std::string> serialPorts() {
       }
     }
   }
-  std::sort(ports.begin(), ports.end());
+  std::ranges::sort(ports);
   return ports;
 }
 

@@ -102,7 +102,7 @@ CheckResult WireDevice::driftFinding(double drift) {
 
 void WireDevice::setCheckedUnlessFailed(const std::vector<CheckResult>& results) noexcept {
   const auto isFailure = [](const CheckResult& result) { return result.finding == Finding::Fail; };
-  if (std::any_of(results.begin(), results.end(), isFailure)) return;
+  if (std::ranges::any_of(results, isFailure)) return;
   auto open = Lifecycle::Open;
   lifecycle_.compare_exchange_strong(open, Lifecycle::Checked);
 }

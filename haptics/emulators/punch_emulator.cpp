@@ -1,10 +1,10 @@
 #include "haptics/emulators/punch_emulator.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 
+#include "base/search.h"
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/timing/monotonic_clock.h"
 
@@ -45,8 +45,7 @@ Order orderIn(std::string_view line) {
 /// A message about what is wrong with the number of a command; empty if it is valid.
 std::string problemIn(const Order& order, std::string_view line) {
   constexpr int kMost = 1'000'000;
-  const bool isCount =
-      std::find(kFaultNames.begin(), kFaultNames.end(), order.word) != kFaultNames.end();
+  const bool isCount = base::contains(kFaultNames, order.word);
   const bool isTime = order.word == "mute" || order.word == "stall";
   const bool isLeap = order.word == "leap";
   if (!isCount && !isTime && !isLeap) return {};

@@ -68,8 +68,7 @@ std::vector<models::CubicSegment<double>> blendedTorque(const MaterialSpec& spec
   }
   if (!spec.curves.isEmpty()) return {};
   const auto nodes = blendedNodes(spec, &MaterialNode::lowerTorque, &MaterialNode::upperTorque);
-  const bool isAny =
-      std::any_of(nodes.begin(), nodes.end(), [](const auto& node) { return node.force > 0.0; });
+  const bool isAny = std::ranges::any_of(nodes, [](const auto& node) { return node.force > 0.0; });
   if (!isAny) return {};
   return scaledSegments(nodes, spec.forceScale);
 }

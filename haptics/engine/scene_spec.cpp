@@ -271,8 +271,7 @@ bool hasTorque(const SceneSpec& spec) {
   const auto& nodes = parts.material->nodes;
   return !parts.material->torque.isEmpty() ||
          (parts.material->curves.isEmpty() &&
-          std::any_of(
-              nodes.begin(), nodes.end(), [](const auto& n) { return n.upperTorque > 0.0; }));
+          std::ranges::any_of(nodes, [](const auto& n) { return n.upperTorque > 0.0; }));
 }
 
 std::vector<std::string> problemsOf(const SceneSpec& spec) {

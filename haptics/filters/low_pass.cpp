@@ -153,7 +153,7 @@ std::vector<double> zeroPhaseLowPass(std::span<const double> samples, double rat
   const auto sections = butterworth(rate, cutoff);
   for (int direction = 0; direction < 2; ++direction) {
     for (const auto& section : sections) section.run(extended);
-    std::reverse(extended.begin(), extended.end());
+    std::ranges::reverse(extended);
   }
   std::vector<double> result;
   result.reserve(samples.size());

@@ -83,7 +83,7 @@ std::size_t columnIndexOf(
     const std::vector<std::string>& heads,
     std::string_view source) {
   if (head.empty() && usual < heads.size()) return usual;
-  const auto found = std::find(heads.begin(), heads.end(), head);
+  const auto found = std::ranges::find(heads, head);
   if (!head.empty() && found != heads.end()) return static_cast<std::size_t>(found - heads.begin());
   throw base::UserError(
       "'" + std::string(source) + "' has no column " +

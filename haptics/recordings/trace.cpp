@@ -62,7 +62,7 @@ MonotoneCurve curveOf(const Trace& trace, const RowRange& rows) {
 
 std::optional<MonotoneCurve> openingCurveOf(const Trace& trace, const RowRange& rows) {
   auto samples = samplesOf(trace, rows);
-  std::reverse(samples.begin(), samples.end());
+  std::ranges::reverse(samples);
   try {
     return monotoneCurve(samples);
   } catch (const std::invalid_argument&) {

@@ -19,8 +19,8 @@ const std::vector<const devices::DeviceKind*>& deviceKinds() {
 
 const devices::DeviceKind* deviceKindNamed(std::string_view name) {
   const auto& kinds = deviceKinds();
-  const auto found = std::find_if(
-      kinds.begin(), kinds.end(), [&](const auto* kind) { return kind->name == name; });
+  const auto found =
+      std::ranges::find_if(kinds, [&](const auto* kind) { return kind->name == name; });
   return found == kinds.end() ? nullptr : *found;
 }
 

@@ -43,7 +43,7 @@ Plan planFor(const Contestant& contestant) {
 }
 
 Timing timingOf(std::vector<double> times) {
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   const auto last = static_cast<double>(times.size() - 1);
   return {times[times.size() / 2], times[static_cast<std::size_t>(std::ceil(0.99 * last))]};
 }

@@ -76,10 +76,9 @@ const DeviceRequirement* Protocol::device(std::string_view id) const noexcept {
   return base::withId(devices, id);
 }
 const haptics::devices::DeviceKind* Protocol::onlyDeviceKind() const noexcept {
-  const bool isOne =
-      !devices.empty() && std::all_of(devices.begin(), devices.end(), [&](const auto& need) {
-        return need.kind == devices.front().kind;
-      });
+  const bool isOne = !devices.empty() && std::ranges::all_of(devices, [&](const auto& need) {
+    return need.kind == devices.front().kind;
+  });
   return isOne ? devices.front().kind : nullptr;
 }
 const Phase* Protocol::phase(std::string_view id) const noexcept {

@@ -40,7 +40,7 @@ std::vector<Row> williamsRows(int k) {
   if (k % 2 == 0) return rows;
   for (int i = 0; i < k; ++i) {
     Row mirrored = rows[static_cast<std::size_t>(i)];
-    std::reverse(mirrored.begin(), mirrored.end());
+    std::ranges::reverse(mirrored);
     rows.push_back(std::move(mirrored));
   }
   return rows;
@@ -101,7 +101,7 @@ std::vector<std::string> inProtocolOrder(const Protocol& protocol, const Block& 
 }
 
 int indexOf(const std::vector<std::string>& all, const std::string& one) {
-  return static_cast<int>(std::find(all.begin(), all.end(), one) - all.begin());
+  return static_cast<int>(std::ranges::find(all, one) - all.begin());
 }
 
 std::vector<std::string> realisedOrder(
@@ -115,7 +115,7 @@ std::vector<std::string> realisedOrder(
   if (block.order.type == OrderType::Reversed) {
     const auto* other = before.block(block.order.of);
     for (const auto& trial : other->trials) order.push_back(trial.condition);
-    std::reverse(order.begin(), order.end());
+    std::ranges::reverse(order);
     return order;
   }
   const auto row = orderFor(
@@ -147,8 +147,7 @@ std::vector<int> drawnLabels(
 }  // namespace
 
 const PlannedBlock* Schedule::block(std::string_view phase) const noexcept {
-  const auto found =
-      std::find_if(blocks.begin(), blocks.end(), [&](const auto& b) { return b.phase == phase; });
+  const auto found = std::ranges::find_if(blocks, [&](const auto& b) { return b.phase == phase; });
   return found == blocks.end() ? nullptr : &*found;
 }
 

@@ -85,10 +85,8 @@ class AnatomyReader {
     const std::string place = placeOf(surface.name);
     if (!base::contains(kReplaceableSurfaces, surface.name)) return refuseName(surface.name, place);
     if (!isSound(surface, place)) return;
-    const auto same =
-        std::find_if(anatomy_.surfaces.begin(), anatomy_.surfaces.end(), [&](const auto& other) {
-          return other.name == surface.name;
-        });
+    const auto same = std::ranges::find_if(
+        anatomy_.surfaces, [&](const auto& other) { return other.name == surface.name; });
     if (same == anatomy_.surfaces.end()) {
       anatomy_.surfaces.push_back(std::move(surface));
     } else {
@@ -125,7 +123,7 @@ class AnatomyReader {
   }
 
   bool isSound(NamedSurface& surface, const std::string& place) {
-    if (!std::all_of(surface.places.begin(), surface.places.end(), isFinite)) {
+    if (!std::ranges::all_of(surface.places, isFinite)) {
       problems_.add(
           place,
           "a corner of it lies at no number (nan or inf)",
@@ -148,7 +146,7 @@ class AnatomyReader {
     const auto hasDirection = [](const auto& n) {
       return isFinite(n) && lengthOf(n) > kShortestNormal;
     };
-    const auto whole = std::count_if(surface.normals.begin(), surface.normals.end(), hasDirection);
+    const auto whole = std::ranges::count_if(surface.normals, hasDirection);
     const auto lost = static_cast<std::ptrdiff_t>(surface.normals.size()) - whole;
     if (lost == 0) return;
     const auto around = normalsOfTriangles(surface);
@@ -226,8 +224,8 @@ class AnatomyReader {
 }  // namespace
 
 const NamedSurface* Anatomy::find(std::string_view name) const noexcept {
-  const auto found = std::find_if(
-      surfaces.begin(), surfaces.end(), [&](const auto& surface) { return surface.name == name; });
+  const auto found =
+      std::ranges::find_if(surfaces, [&](const auto& surface) { return surface.name == name; });
   return found == surfaces.end() ? nullptr : &*found;
 }
 

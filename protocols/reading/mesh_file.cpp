@@ -138,9 +138,8 @@ void requirePlausibleHeader(std::string_view text) {
     std::string statement;
     if (!(words >> statement)) continue;  // an empty line between \r and \n
     if (statement == "end_header") break;
-    const bool isText = std::all_of(line.begin(), line.end(), [](unsigned char c) {
-      return c == '\t' || (c >= ' ' && c != 0x7F);
-    });
+    const bool isText = std::ranges::all_of(
+        line, [](unsigned char c) { return c == '\t' || (c >= ' ' && c != 0x7F); });
     if (!isText || kStatements.count(statement) == 0) {
       throw base::UserError("its head is damaged");
     }

@@ -234,11 +234,10 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<SceneDat
     return readCondition(node, files, sources);
   });
   for (auto& device : protocol.devices) {
-    device.needsTorque = std::any_of(
-        protocol.conditions.begin(), protocol.conditions.end(), [&](const auto& candidate) {
-          return candidate.device == device.id && candidate.model &&
-                 haptics::engine::hasTorque(candidate.scene());
-        });
+    device.needsTorque = std::ranges::any_of(protocol.conditions, [&](const auto& candidate) {
+      return candidate.device == device.id && candidate.model &&
+             haptics::engine::hasTorque(candidate.scene());
+    });
   }
   protocol.labels = readLabels(root);
   protocol.phases = readAll<Phase>(root.requiredList("phases"), readPhase);
@@ -296,8 +295,7 @@ void addInstruments(
 /// element that could not be read has no valid id.
 template <typename T>
 bool isComplete(const std::vector<T>& all) noexcept {
-  return !all.empty() &&
-         std::all_of(all.begin(), all.end(), [](const T& t) { return isValidId(t.id); });
+  return !all.empty() && std::ranges::all_of(all, [](const T& t) { return isValidId(t.id); });
 }
 
 /// Whether the file has another format, judged by its "format". Its unknown keys are then not

@@ -22,7 +22,7 @@ using questionnaires::shown;
 
 bool isOutsideFolder(const std::string& name) {
   const std::filesystem::path path(name);
-  return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
+  return path.is_absolute() || std::ranges::find(path, "..") != path.end();
 }
 
 std::optional<std::string> textInLibrary(const std::string& id) {
@@ -167,8 +167,8 @@ void ReferencedFiles::completeWording(
 
 std::optional<std::string> ReferencedFiles::textOf(
     const std::string& name, const std::string& path) {
-  const auto known = std::find_if(
-      files_.begin(), files_.end(), [&](const auto& file) { return file.name == name; });
+  const auto known =
+      std::ranges::find_if(files_, [&](const auto& file) { return file.name == name; });
   if (known != files_.end()) return known->text;
   if (isOutsideFolder(name)) {
     problems_.add(

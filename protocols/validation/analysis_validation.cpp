@@ -32,9 +32,7 @@ class FamilyCheck {
  private:
   void instrument() {
     const bool isAsked =
-        std::any_of(protocol_.phases.begin(), protocol_.phases.end(), [&](const auto& phase) {
-          return mayAsk(phase);
-        });
+        std::ranges::any_of(protocol_.phases, [&](const auto& phase) { return mayAsk(phase); });
     if (!isAsked && draft_.hasAllPhases()) {
       problems_.add(
           path_ + ".instrument",
@@ -56,7 +54,7 @@ class FamilyCheck {
   bool mayAsk(const Phase& phase) const {
     const auto& asked = phase.trials.questionnaires;
     return phase.id.empty() || !isValidId(family_.instrument) ||
-           std::any_of(asked.begin(), asked.end(), [&](const auto& questionnaire) {
+           std::ranges::any_of(asked, [&](const auto& questionnaire) {
              return questionnaire.instrument == family_.instrument ||
                     !isValidId(questionnaire.instrument);
            });

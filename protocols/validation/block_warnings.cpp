@@ -110,10 +110,9 @@ void addAnalysisWarnings(const Protocol& protocol, Problems& problems) {
     problems.warn("$.analysis", message("no_family"), message("no_family.fix"));
   }
   for (std::size_t i = 0; i < families.size(); ++i) {
-    const auto unlike =
-        std::find_if(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
-          return families[i].usesBlock(phase.id) && hasUnlikeStatements(families[i], phase);
-        });
+    const auto unlike = std::ranges::find_if(protocol.phases, [&](const auto& phase) {
+      return families[i].usesBlock(phase.id) && hasUnlikeStatements(families[i], phase);
+    });
     if (unlike == protocol.phases.end()) continue;
     problems.warn(
         "$.analysis.families[" + std::to_string(i) + "]",

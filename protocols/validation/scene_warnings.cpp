@@ -79,7 +79,7 @@ void adviseOnLimit(
 
 /// Whether a block shows the tissue of @p condition.
 bool isVisualised(const Protocol& protocol, const Condition& condition) {
-  return std::any_of(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
+  return std::ranges::any_of(protocol.phases, [&](const auto& phase) {
     return base::contains(phase.trials.conditions, condition.id) &&
            phase.trials.isVisualised.value_or(condition.isVisualised);
   });
@@ -152,7 +152,7 @@ std::vector<Item> itemsAsked(
     const auto isAsked = [&](const auto& condition) {
       return isAskedAbout(asked, item, condition);
     };
-    if (std::any_of(block.conditions.begin(), block.conditions.end(), isAsked)) {
+    if (std::ranges::any_of(block.conditions, isAsked)) {
       items.push_back(item);
     }
   }

@@ -104,19 +104,18 @@ void checkCondition(const UnvalidatedProtocol& draft, std::size_t index, Problem
 }
 
 bool hasConsentItem(const Instrument& instrument) {
-  return std::any_of(instrument.items.begin(), instrument.items.end(), [](const auto& item) {
-    return !item.consentOption.empty();
-  });
+  return std::ranges::any_of(
+      instrument.items, [](const auto& item) { return !item.consentOption.empty(); });
 }
 
 bool asksForAlternatives(const Instrument& instrument) {
-  return std::any_of(instrument.items.begin(), instrument.items.end(), [](const auto& item) {
+  return std::ranges::any_of(instrument.items, [](const auto& item) {
     return item.optionSource == OptionSource::Alternatives;
   });
 }
 
 bool asksForOneAlternative(const Instrument& instrument) {
-  return std::any_of(instrument.items.begin(), instrument.items.end(), [](const auto& item) {
+  return std::ranges::any_of(instrument.items, [](const auto& item) {
     return item.type == ItemType::SingleChoice && item.optionSource == OptionSource::Alternatives;
   });
 }

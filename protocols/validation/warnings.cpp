@@ -22,9 +22,8 @@ std::string at(const char* list, std::size_t index) {
 
 bool isInLibrary(const std::string& instrument) {
   const auto files = questionnaires::libraryFiles();
-  return std::any_of(files.begin(), files.end(), [&](const auto& file) {
-    return file.name == instrument + ".json";
-  });
+  return std::ranges::any_of(
+      files, [&](const auto& file) { return file.name == instrument + ".json"; });
 }
 
 /// Adds the warnings about the texts, the instruments and the unused parts of a protocol.
@@ -123,9 +122,8 @@ class ProtocolWarningCheck {
   void warnOfOccasions(const Instrument& instrument, const std::string& path) {
     if (instrument.occasions != questionnaires::Occasions::BeforeAndAfter) return;
     const auto uses = instrumentUses(protocol_);
-    const auto times = std::count_if(uses.begin(), uses.end(), [&](const InstrumentUse& use) {
-      return use.instrument == instrument.id;
-    });
+    const auto times = std::ranges::count_if(
+        uses, [&](const InstrumentUse& use) { return use.instrument == instrument.id; });
     if (times > 1) return;
     problems_.warn(path, message("asked_once", instrument.id), message("asked_once.fix"));
   }
@@ -158,10 +156,9 @@ class ProtocolWarningCheck {
   /// Whether the placeholder was reported already for another language.
   static bool isAboutTranslation(
       const questionnaires::Problem& problem, const Instrument& instrument) {
-    return std::any_of(
-        instrument.languages.begin(), instrument.languages.end(), [&](const auto& language) {
-          return language != "en" && problem.path.ends_with("." + language);
-        });
+    return std::ranges::any_of(instrument.languages, [&](const auto& language) {
+      return language != "en" && problem.path.ends_with("." + language);
+    });
   }
 
   void file(const std::string& id, const std::string& path, const std::set<std::string>& used) {

@@ -61,7 +61,7 @@ void Node::warn(std::string_view key, base::Message what, base::Message fix) con
 
 bool Node::isSound() const {
   const auto& all = problems_->all();
-  return std::none_of(all.begin(), all.end(), [&](const auto& p) {
+  return std::ranges::none_of(all, [&](const auto& p) {
     return p.severity == Severity::Error && p.path.starts_with(path_);
   });
 }
@@ -87,8 +87,7 @@ bool Node::isObjectWithOnlyKeys(std::span<const std::string_view> names) const {
 const Value* Node::find(std::string_view key) const noexcept {
   const auto* object = std::get_if<Value::Object>(&value_->data);
   if (object == nullptr) return nullptr;
-  const auto member =
-      std::find_if(object->begin(), object->end(), [&](const auto& m) { return m.key == key; });
+  const auto member = std::ranges::find_if(*object, [&](const auto& m) { return m.key == key; });
   return member == object->end() ? nullptr : &member->value;
 }
 
@@ -228,7 +227,7 @@ std::optional<std::size_t> Node::indexIn(const std::vector<std::string_view>& na
         "one of: " + base::joined(names, ", "));
     return std::nullopt;
   }
-  const auto found = std::find(names.begin(), names.end(), *text);
+  const auto found = std::ranges::find(names, *text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const auto begun = beginningOf(*text, names);
   const auto meant = begun ? begun : nearest(*text, names);

@@ -150,7 +150,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
         {.path = path(),
          .what = base::Message::verbatim(std::move(what)),
          .fix = base::Message::verbatim(std::move(fix)),
-         .line = static_cast<int>(std::count(before.begin(), before.end(), '\n'))});
+         .line = static_cast<int>(std::ranges::count(before, '\n'))});
   }
 
   /// The line of the token that was read last. The last character read is ignored: after a number
@@ -163,7 +163,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   }
 
   static std::string lineAndColumn(std::string_view before) {
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const auto line = 1 + std::ranges::count(before, '\n');
     const auto lineStart = before.rfind('\n');
     const auto column = before.size() - (lineStart == std::string_view::npos ? 0 : lineStart + 1);
     return "line " + std::to_string(line) + ", column " + std::to_string(column);
@@ -174,8 +174,8 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   static std::string tokenEnd(const std::string& token) {
     constexpr std::size_t kShown = 40;
     std::string end = token.substr(token.size() > kShown ? token.size() - kShown : 0);
-    std::replace_if(
-        end.begin(), end.end(), [](char c) { return c < 0x20 || c > 0x7e; }, '?');
+    std::ranges::replace_if(
+        end, [](char c) { return c < 0x20 || c > 0x7e; }, '?');
     return end;
   }
 

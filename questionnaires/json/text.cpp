@@ -133,7 +133,7 @@ std::string shown(std::string_view text) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 || byte == 0x7f || (byte > 0x7f && !isSound);
   };
-  std::replace_if(result.begin(), result.end(), isUnprintable, '?');
+  std::ranges::replace_if(result, isUnprintable, '?');
   return end < text.size() ? result + "…" : result;
 }
 
@@ -143,9 +143,8 @@ bool isValidId(std::string_view id) noexcept {
   };
   constexpr std::size_t kLongest = 64;
   return !id.empty() && id.size() <= kLongest && letterOrDigit(id.front()) &&
-         std::all_of(id.begin(), id.end(), [&](char c) {
-           return letterOrDigit(c) || c == '.' || c == '_' || c == '-';
-         });
+         std::ranges::all_of(
+             id, [&](char c) { return letterOrDigit(c) || c == '.' || c == '_' || c == '-'; });
 }
 
 std::optional<std::string_view> nearest(

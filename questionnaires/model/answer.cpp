@@ -38,9 +38,8 @@ std::string pointLabel(const Item& item, std::int64_t point, std::string_view la
 }
 
 std::string optionLabel(const Item& item, const std::string& id, std::string_view language) {
-  const auto option = std::find_if(
-      item.options.begin(), item.options.end(), [&](const auto& o) { return o.id == id; });
-  return option == item.options.end() ? std::string() : option->text.in(language);
+  const auto* option = base::withId(item.options, id);
+  return option == nullptr ? std::string() : option->text.in(language);
 }
 
 bool isEmpty(const Response& response) {
@@ -82,28 +81,30 @@ std::int64_t keyedPoint(const Item& item, std::int64_t point) noexcept {
   return item.key == -1 ? std::int64_t{item.scale.lowest} + item.scale.highest() - point : point;
 }
 
+const Response* lastResponse(std::string_view itemId, const std::vector<Answer>& answers) {
+  const auto last = std::find_if(
+      answers.rbegin(), answers.rend(), [&](const Answer& one) { return one.itemId == itemId; });
+  return last == answers.rend() || !last->response ? nullptr : &*last->response;
+}
+
 bool isAsked(const Item& item, const std::vector<Item>& items, const std::vector<Answer>& answers) {
   if (!item.showIf.isSet()) return true;
-  const auto asked = std::find_if(
-      items.begin(), items.end(), [&](const Item& other) { return other.id == item.showIf.item; });
+  const auto* asked = base::withId(items, item.showIf.item);
   // The recursion ends, because an item's condition names an earlier item (problemsOf()).
-  if (asked == items.end() || &*asked == &item || !isAsked(*asked, items, answers)) return false;
-  const auto last = std::find_if(answers.rbegin(), answers.rend(), [&](const Answer& answer) {
-    return answer.itemId == asked->id;
-  });
-  if (last == answers.rend() || !last->response) return false;
+  if (asked == nullptr || asked == &item || !isAsked(*asked, items, answers)) return false;
+  const auto* last = lastResponse(asked->id, answers);
+  if (last == nullptr) return false;
   const auto& wanted = item.showIf.wantedOptions;
   const auto isWantedOption = [&](const std::string& id) { return base::contains(wanted, id); };
-  if (const auto* chosen = std::get_if<std::string>(&*last->response))
-    return isWantedOption(*chosen);
-  const auto* several = std::get_if<std::vector<std::string>>(&*last->response);
-  return several != nullptr && std::any_of(several->begin(), several->end(), isWantedOption);
+  if (const auto* chosen = std::get_if<std::string>(last)) return isWantedOption(*chosen);
+  const auto* several = std::get_if<std::vector<std::string>>(last);
+  return several != nullptr && std::ranges::any_of(*several, isWantedOption);
 }
 
 std::vector<std::string> unansweredItems(
     const std::vector<Item>& items, const std::vector<Answer>& answers) {
   const auto isAnswered = [&](const Item& item) {
-    return std::any_of(answers.begin(), answers.end(), [&](const Answer& answer) {
+    return std::ranges::any_of(answers, [&](const Answer& answer) {
       return answer.itemId == item.id && answer.response && !isEmpty(*answer.response);
     });
   };
@@ -117,14 +118,10 @@ std::vector<std::string> unansweredItems(
 
 std::optional<double> answerAsNumber(const Item& item, const std::vector<Answer>& answers) {
   if (!rangeOf(item)) return std::nullopt;
-  const auto last = std::find_if(answers.rbegin(), answers.rend(), [&](const Answer& answer) {
-    return answer.itemId == item.id;
-  });
-  if (last == answers.rend() || !last->response || validationError(item, *last->response)) {
-    return std::nullopt;
-  }
-  const auto* whole = std::get_if<std::int64_t>(&*last->response);
-  return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(*last->response);
+  const auto* last = lastResponse(item.id, answers);
+  if (last == nullptr || validationError(item, *last)) return std::nullopt;
+  const auto* whole = std::get_if<std::int64_t>(last);
+  return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(*last);
 }
 
 double keyedNumber(const Item& item, double number) {

@@ -37,6 +37,9 @@ std::string labelOf(const Item& item, const Response& response, std::string_view
 /// item is -1.
 std::int64_t keyedPoint(const Item& item, std::int64_t point) noexcept;
 
+/// The response of the last of @p answers to the item; nullptr if it was not answered.
+const Response* lastResponse(std::string_view itemId, const std::vector<Answer>& answers);
+
 /// Whether @p item, one of @p items, is asked after @p answers. An item with a condition (ShowIf)
 /// is asked if the item in its condition was itself asked and answered with one of the listed
 /// options. If an item was answered several times, the last answer counts.

@@ -50,13 +50,12 @@ const Score* Instrument::score(std::string_view scoreId) const noexcept {
 }
 
 bool Instrument::hasWithheldTexts() const noexcept {
-  return std::any_of(
-      items.begin(), items.end(), [](const Item& item) { return !item.withheld.empty(); });
+  return std::ranges::any_of(items, [](const Item& item) { return !item.withheld.empty(); });
 }
 
 std::vector<Item> Instrument::itemsOf(std::string_view set) const {
   std::vector<Item> result;
-  std::copy_if(items.begin(), items.end(), std::back_inserter(result), [&](const Item& candidate) {
+  std::ranges::copy_if(items, std::back_inserter(result), [&](const Item& candidate) {
     return set.empty() || candidate.set == set;
   });
   return result;

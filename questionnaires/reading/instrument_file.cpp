@@ -64,8 +64,7 @@ bool isDoi(std::string_view doi) {
   const std::size_t slash = std::min(doi.find('/'), doi.size());
   const std::string_view registrant = doi.substr(0, slash);
   return registrant.size() >= 4 && registrant.size() <= 9 && slash + 1 < doi.size() &&
-         std::all_of(registrant.begin(), registrant.end(), isDigit) &&
-         std::all_of(doi.begin(), doi.end(), isPlain);
+         std::ranges::all_of(registrant, isDigit) && std::ranges::all_of(doi, isPlain);
 }
 
 Source readSource(const Node& root) {

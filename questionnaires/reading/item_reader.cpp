@@ -108,9 +108,8 @@ void refuseKeysOfOtherTypes(const Node& node, const ItemTypeFacts& type) {
   const auto own = keysOf(type.value);
   for (const auto& member : node.members()) {
     const std::string& key = member.first;
-    const bool isOfAType = std::any_of(kItemTypes.begin(), kItemTypes.end(), [&](const auto& t) {
-      return base::contains(keysOf(t.value), key);
-    });
+    const bool isOfAType = std::ranges::any_of(
+        kItemTypes, [&](const auto& t) { return base::contains(keysOf(t.value), key); });
     if (!isOfAType || base::contains(own, key)) continue;
     node.problem(
         key,

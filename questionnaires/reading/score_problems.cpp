@@ -97,11 +97,10 @@ void inspectWeights(const Score& score, const std::string& path, Problems& probl
             std::to_string(score.items.size()) + " items",
         "write one for each item, in the same order");
   }
-  const bool isSound = std::all_of(score.weights.begin(), score.weights.end(), [](double weight) {
-    return std::isfinite(weight) && weight >= 0.0;
-  });
-  const bool hasPositiveWeight = std::any_of(
-      score.weights.begin(), score.weights.end(), [](double weight) { return weight > 0.0; });
+  const bool isSound = std::ranges::all_of(
+      score.weights, [](double weight) { return std::isfinite(weight) && weight >= 0.0; });
+  const bool hasPositiveWeight =
+      std::ranges::any_of(score.weights, [](double weight) { return weight > 0.0; });
   if (isSound && hasPositiveWeight) return;
   problems.add(path + ".weights", "these weights count nothing", "write numbers above 0");
 }

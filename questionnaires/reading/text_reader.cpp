@@ -64,13 +64,13 @@ LocalizedText TextReader::fallbackText() const {
 
 bool isLanguageTag(std::string_view tag) noexcept {
   const std::string_view language = tag.substr(0, tag.find('-'));
-  const bool isLanguage = language.size() >= 2 && language.size() <= 3 &&
-                          std::all_of(language.begin(), language.end(), isLowerCase);
+  const bool isLanguage =
+      language.size() >= 2 && language.size() <= 3 && std::ranges::all_of(language, isLowerCase);
   if (!isLanguage) return false;
   tag.remove_prefix(language.size());
   if (tag.empty()) return true;
   tag.remove_prefix(1);
-  return tag.size() >= 2 && tag.size() <= 8 && std::all_of(tag.begin(), tag.end(), isLetterOrDigit);
+  return tag.size() >= 2 && tag.size() <= 8 && std::ranges::all_of(tag, isLetterOrDigit);
 }
 
 bool requireLanguageTag(const Node& node, std::string_view key, std::string_view language) {

@@ -1,6 +1,5 @@
 #include "questionnaires/reading/wording.h"
 
-#include <algorithm>
 #include <set>
 
 #include "base/search.h"
@@ -68,7 +67,7 @@ void removeLanguage(const std::string& language, Instrument& instrument) {
     }
   }
   auto& languages = instrument.languages;
-  languages.erase(std::remove(languages.begin(), languages.end(), language), languages.end());
+  std::erase(languages, language);
 }
 
 void reportMissingWording(

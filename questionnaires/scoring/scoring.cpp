@@ -19,12 +19,9 @@ std::optional<std::string> chosenOption(
     const Instrument& instrument, const std::string& id, const std::vector<Answer>& answers) {
   const Item* pair = instrument.item(id);
   if (pair == nullptr || pair->type != ItemType::PairwiseChoice) return std::nullopt;
-  const auto last = std::find_if(
-      answers.rbegin(), answers.rend(), [&](const Answer& answer) { return answer.itemId == id; });
-  if (last == answers.rend() || !last->response || validationError(*pair, *last->response)) {
-    return std::nullopt;
-  }
-  return std::get<std::string>(*last->response);
+  const auto* last = lastResponse(id, answers);
+  if (last == nullptr || validationError(*pair, *last)) return std::nullopt;
+  return std::get<std::string>(*last);
 }
 
 /// The number of items that must be answered for the score.
@@ -94,7 +91,7 @@ std::optional<std::vector<double>> pairWeights(
   for (const auto& id : score.weightsFrom) {
     const auto chosen = chosenOption(instrument, id, answers);
     if (!chosen) return std::nullopt;
-    const auto item = std::find(score.items.begin(), score.items.end(), *chosen);
+    const auto item = std::ranges::find(score.items, *chosen);
     if (item == score.items.end()) return std::nullopt;
     weights[static_cast<std::size_t>(item - score.items.begin())] += 1.0;
   }

@@ -142,7 +142,7 @@ CLI::Validator fileEndingIn(const std::vector<std::string>& endings) {
   return CLI::Validator(
       [endings](const std::string& path) -> std::string {
         const auto ending = std::filesystem::path(path).extension().string();
-        if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return "";
+        if (std::ranges::find(endings, ending) != endings.end()) return "";
         return "'" + path + "' does not end in " + base::joined(endings, " or ");
       },
       "FILE");

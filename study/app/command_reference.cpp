@@ -264,7 +264,7 @@ class HelpFormatter final : public CLI::Formatter {
     if (options.empty()) return "";
     std::vector<std::string> names;
     for (const auto* option : options) names.push_back(option->get_name());
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     return std::string(" ") + label + ": " + base::joined(names, " ");
   }
 };

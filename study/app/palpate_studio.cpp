@@ -31,7 +31,7 @@ namespace {
 
 bool isAmong(int argc, char** argv, std::initializer_list<std::string_view> words) {
   return std::any_of(argv + 1, argv + argc, [&](const char* argument) {
-    return std::find(words.begin(), words.end(), argument) != words.end();
+    return std::ranges::find(words, argument) != words.end();
   });
 }
 

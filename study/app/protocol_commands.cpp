@@ -127,8 +127,8 @@ void printOrders(
       for (const auto& block : protocols::scheduleFor(protocol, seed, cohort.id, slot).blocks) {
         auto& found = byPhase[block.phase];
         const std::string order = describeOrder(protocol, block);
-        auto same = std::find_if(
-            found.begin(), found.end(), [&](const auto& one) { return one.first == order; });
+        auto same =
+            std::ranges::find_if(found, [&](const auto& one) { return one.first == order; });
         if (same == found.end()) same = found.insert(found.end(), {order, {}});
         same->second.push_back(slot + 1);
       }

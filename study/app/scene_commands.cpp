@@ -56,7 +56,7 @@ void printSources(
     const std::vector<protocols::SceneDataSource>& sources, const std::string& condition) {
   for (const auto& source : sources) {
     const auto& all = source.conditions;
-    if (std::find(all.begin(), all.end(), condition) == all.end()) continue;
+    if (std::ranges::find(all, condition) == all.end()) continue;
     fmt::print("\n  felt from {}\n", protocols::describe(source));
   }
 }

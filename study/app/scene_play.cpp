@@ -81,8 +81,8 @@ PlayedCurve playOne(
 
 /// @throws UserError  if the scene gives a force in less than half of the steps.
 void checkNotEmpty(const PlayedCurve& curve, const TravelProfile& profile) {
-  const auto answered = static_cast<std::size_t>(std::count_if(
-      curve.force.begin(), curve.force.end(), [](double force) { return std::isfinite(force); }));
+  const auto answered = static_cast<std::size_t>(
+      std::ranges::count_if(curve.force, [](double force) { return std::isfinite(force); }));
   if (2 * answered >= curve.force.size()) return;
   throw UserError(fmt::format(
       "Condition '{}' answers with a force at {} of {} steps only, so there is nothing to draw. A "

@@ -25,7 +25,7 @@ std::string_view phraseOf(const SimulatedSessionResult& ending) noexcept {
 }  // namespace
 
 int countCompleted(const std::vector<SimulatedSessionResult>& endings) noexcept {
-  return static_cast<int>(std::count_if(endings.begin(), endings.end(), isCompleted));
+  return static_cast<int>(std::ranges::count_if(endings, isCompleted));
 }
 
 std::string describe(const SimulatedSessionResult& ending) {

@@ -148,8 +148,8 @@ int amend(const StudyArguments& options) {
 
 int countSimulatedSessions(Study& study) {
   const auto all = study.sessions().all();
-  return static_cast<int>(std::count_if(
-      all.begin(), all.end(), [](const auto& row) { return row.runMode == RunMode::Simulated; }));
+  return static_cast<int>(std::ranges::count_if(
+      all, [](const auto& row) { return row.runMode == RunMode::Simulated; }));
 }
 
 /// Prints the progress of a long simulation at some enrolments; the previous participant has then

@@ -44,7 +44,7 @@ std::string readLine() {
 /// Whether @p word equals one of @p words, ignoring case.
 bool isAmongWords(std::string word, std::initializer_list<std::string_view> words) {
   for (auto& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return std::ranges::find(words, word) != words.end();
 }
 
 bool isYes(const std::string& word) {

@@ -136,8 +136,7 @@ struct AccuracyOptions {
   bool isWorker = false;
 
   bool wants(const Family& family) const {
-    return families.empty() ||
-           std::find(families.begin(), families.end(), family.option) != families.end();
+    return families.empty() || std::ranges::find(families, family.option) != families.end();
   }
 };
 
@@ -172,9 +171,8 @@ Chart chartOf(const RepeatedMeasurements& all, const Family& family, const Figur
     if (m.family != family.name || m.setting != figure.setting) continue;
     const auto point = pointOf(m, figure);
     if (!point) continue;
-    auto series = std::find_if(chart.series.begin(), chart.series.end(), [&](const auto& s) {
-      return s.title == m.method;
-    });
+    auto series =
+        std::ranges::find_if(chart.series, [&](const auto& s) { return s.title == m.method; });
     if (series == chart.series.end()) {
       chart.series.push_back({.title = m.method, .style = ChartSeries::Style::LineAndMarkers});
       series = chart.series.end() - 1;

@@ -312,7 +312,7 @@ void injectInRounds(EmulatedDevice& emulated, LinkLoop& loop, int wanted, int pe
     done += now;
     const auto isDone = [&] {
       const auto of = (emulated.ask().injected - begin).of;
-      return std::all_of(of.begin(), of.end(), [&](std::int64_t n) { return n >= done; });
+      return std::ranges::all_of(of, [&](std::int64_t n) { return n >= done; });
     };
     const std::int64_t until = timing::now() + 10 * timing::kSecond;
     while (!isDone() && !loop.isOver()) {
@@ -365,8 +365,8 @@ double LinkSeries::seconds() const {
 }
 
 const LinkRun& LinkSeries::longest() const {
-  return *std::max_element(
-      runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+  return *std::ranges::max_element(
+      runs, [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
 }
 
 std::uint64_t LinkSeries::sum(std::uint64_t devices::LinkReport::*of) const {
@@ -376,20 +376,18 @@ std::uint64_t LinkSeries::sum(std::uint64_t devices::LinkReport::*of) const {
 }
 
 std::int64_t LinkSeries::faults() const {
-  return std::count_if(
-      runs.begin(), runs.end(), [](const auto& run) { return !run.fault.empty(); });
+  return std::ranges::count_if(runs, [](const auto& run) { return !run.fault.empty(); });
 }
 
 bool DeviceMeasurement::isExact() const {
-  return std::all_of(counts.begin(), counts.end(), [](const auto& count) {
-    return count.injected.of == count.found.of;
-  });
+  return std::ranges::all_of(
+      counts, [](const auto& count) { return count.injected.of == count.found.of; });
 }
 
 DeviceMeasurement measureDevices(const DeviceBenchOptions& options) {
   const auto isWanted = [&](const std::string& part) {
     const auto& wanted = options.parts;
-    return wanted.empty() || std::find(wanted.begin(), wanted.end(), part) != wanted.end();
+    return wanted.empty() || std::ranges::find(wanted, part) != wanted.end();
   };
   DeviceMeasurement measured;
   if (isWanted("together")) measured.together = runTogether(options.seconds);

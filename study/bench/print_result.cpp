@@ -40,7 +40,7 @@ Cell numberCell(const std::optional<double>& value) {
 }
 
 double quantile(std::vector<double> values, double q) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   const auto place = static_cast<std::size_t>(q * static_cast<double>(values.size()));
   return values.at(std::min(place, values.size() - 1));
 }

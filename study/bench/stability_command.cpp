@@ -28,8 +28,8 @@ DataTable summaryTable(const StabilityResult& result) {
   };
   std::vector<Count> counts;
   for (const auto& check : result.checks) {
-    auto count = std::find_if(
-        counts.begin(), counts.end(), [&](const auto& c) { return c.sweep == check.sweep; });
+    auto count =
+        std::ranges::find_if(counts, [&](const auto& c) { return c.sweep == check.sweep; });
     if (count == counts.end()) count = counts.insert(counts.end(), {.sweep = check.sweep});
     ++count->cases;
     count->failed += check.isPassed() ? 0 : 1;

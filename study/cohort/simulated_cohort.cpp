@@ -164,10 +164,8 @@ class SimulatedSession {
       if (!session_.isAsked(items[i])) continue;
       const double touched = shown + person_.secondsFor(phase + "/" + items[i].id, 1.0, 8.0);
       const auto response = person_.answer(session_, items[i]);
-      const bool isAnswered =
-          std::any_of(givenAnswers.begin(), givenAnswers.end(), [&](const auto& answer) {
-            return answer.item == items[i].id;
-          });
+      const bool isAnswered = std::ranges::any_of(
+          givenAnswers, [&](const auto& answer) { return answer.item == items[i].id; });
       if (!response) continue;
       if (!isAnswered) clock_.advance(touched - shown);
       shown = touched;

@@ -77,7 +77,7 @@ std::string SimulatedParticipant::drawPreferredLabel(
     const std::string label = std::to_string(step.label);
     const bool isChoice = step.kind == StepKind::Trial && phase != nullptr &&
                           step.phase == phase->block &&
-                          std::find(labels.begin(), labels.end(), label) != labels.end();
+                          std::ranges::find(labels, label) != labels.end();
     if (!isChoice) continue;
     const double deviation = kNoiseOfAChoice * answerModel_.residualStandardDeviation;
     const double felt =

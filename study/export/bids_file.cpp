@@ -23,8 +23,8 @@ std::string tsvCell(const Cell& cell, bool isFreeText) {
   std::string text = words == nullptr ? csvCell(cell)
                      : isFreeText     ? withFormulaEscaped(*words)
                                       : *words;
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
   return text.empty() ? "n/a" : text;
 }
 
@@ -54,9 +54,7 @@ void writeWithSidecar(const fs::path& stem, const ExportedTable& table) {
 /// Adds a table to @p contents, unless the table of that name from another session was added.
 void addTableOnce(FolderContents& contents, const std::string& file, const ExportedTable& table) {
   const bool isListed =
-      std::any_of(contents.tables.begin(), contents.tables.end(), [&](const auto& known) {
-        return known.file == file;
-      });
+      std::ranges::any_of(contents.tables, [&](const auto& known) { return known.file == file; });
   if (!isListed) contents.tables.push_back(writtenTable(file, table));
 }
 

@@ -82,8 +82,7 @@ constexpr std::array kFormats{
     FormatFacts{ExportFormat::Python, kEmptyCell, kCodebook, ""}};
 
 const FormatFacts& factsOf(ExportFormat format) {
-  return *std::find_if(
-      kFormats.begin(), kFormats.end(), [&](const auto& facts) { return facts.format == format; });
+  return *std::ranges::find_if(kFormats, [&](const auto& facts) { return facts.format == format; });
 }
 
 /// A script in an export, for the README.
@@ -109,9 +108,8 @@ constexpr std::array kScripts{
 std::string scriptsInWords(const ExportOptions& options, const FolderContents& contents) {
   std::string text;
   for (const auto& path : contents.scripts) {
-    const auto script = std::find_if(kScripts.begin(), kScripts.end(), [&](const auto& known) {
-      return path.ends_with(known.name);
-    });
+    const auto script = std::ranges::find_if(
+        kScripts, [&](const auto& known) { return path.ends_with(known.name); });
     const auto* program = path.ends_with(".R") ? "Rscript " : "python3 ";
     text += "- `" + path + "` (`" + program + path + "`) " + script->purpose + "\n";
   }
@@ -122,10 +120,9 @@ std::string scriptsInWords(const ExportOptions& options, const FolderContents& c
            "- To compute the tests again needs to know who was compared with whom, which tells "
            "what codes stand for: unblinded there is a script.\n";
   }
-  const bool hasTests =
-      std::any_of(contents.tables.begin(), contents.tables.end(), [](const auto& table) {
-        return table.file.find("statistics") != std::string::npos;
-      });
+  const bool hasTests = std::ranges::any_of(contents.tables, [](const auto& table) {
+    return table.file.find("statistics") != std::string::npos;
+  });
   if (!hasTests || contents.scripts.empty()) {
     text += std::string("- Not in this format: ") +
             (hasTests ? "scripts that compute the tests again"
@@ -243,8 +240,7 @@ WrittenTable writtenTable(const std::string& file, const ExportedTable& table) {
   constexpr std::array kKeys{"participant_id", "session_id", "session_num", "step_num", "attempt"};
   WrittenTable written{.file = file, .description = table.description, .keys = {}};
   for (const auto& column : table.columns) {
-    if (std::find(kKeys.begin(), kKeys.end(), column.name) != kKeys.end())
-      written.keys.push_back(column.name);
+    if (std::ranges::find(kKeys, column.name) != kKeys.end()) written.keys.push_back(column.name);
   }
   return written;
 }

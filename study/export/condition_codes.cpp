@@ -26,7 +26,7 @@ std::map<std::string, std::string> conditionCodes(
     for (const auto& known : study.protocol(id).protocol.conditions) {
       if (codes.count(known.id) == 0) added.push_back(known.id);
     }
-    std::sort(added.begin(), added.end());
+    std::ranges::sort(added);
     if (secret != nullptr) {
       secret->arrange(added, "codes/" + std::string(nameOf(mode)) + (set.empty() ? "" : "/" + set));
     } else {

@@ -1,5 +1,4 @@
-#include <algorithm>
-
+#include "base/search.h"
 #include "protocols/validation/validation.h"
 #include "study/export/codebook.h"
 #include "study/export/export.h"
@@ -15,7 +14,7 @@ std::vector<base::Message> disclosuresOf(Study& study) {
   std::vector<base::Message> found;
   for (const auto id : study.protocols().all()) {
     for (const auto& disclosure : protocols::disclosuresOf(study.protocol(id).protocol)) {
-      const bool isKnown = std::find(found.begin(), found.end(), disclosure.what) != found.end();
+      const bool isKnown = base::contains(found, disclosure.what);
       if (!isKnown) found.push_back(disclosure.what);
     }
   }

@@ -49,9 +49,8 @@ std::vector<std::pair<std::string, std::size_t>> causesIn(
     for (const auto& [value, count] : countsOf(column.values)) rare += count < k ? count : 0;
     if (rare > 0) causes.emplace_back(column.name, rare);
   }
-  std::stable_sort(causes.begin(), causes.end(), [](const auto& a, const auto& b) {
-    return a.second > b.second;
-  });
+  std::ranges::stable_sort(
+      causes, [](const auto& a, const auto& b) { return a.second > b.second; });
   return causes;
 }
 
@@ -100,8 +99,8 @@ ReleasedColumn mostInformativeLevel(
 }  // namespace
 
 const ReleasedColumn* Release::column(std::string_view name) const noexcept {
-  const auto found = std::find_if(
-      columns.begin(), columns.end(), [&](const auto& column) { return column.name == name; });
+  const auto found =
+      std::ranges::find_if(columns, [&](const auto& column) { return column.name == name; });
   return found == columns.end() ? nullptr : &*found;
 }
 
@@ -133,7 +132,7 @@ Values suppressRareValues(const Values& values, std::size_t k) {
       rarestFirst.emplace_back(count, value);
     }
   }
-  std::sort(rarestFirst.begin(), rarestFirst.end());
+  std::ranges::sort(rarestFirst);
   std::map<std::string, bool> isEmptied;
   for (const auto& [count, value] : rarestFirst) {
     if (count >= k && (emptied == 0 || emptied >= k)) break;

@@ -48,7 +48,7 @@ Json variablesOf(const std::vector<ExportedTable>& tables) {
   std::vector<std::string> seen;
   for (const auto& table : tables) {
     for (const auto& column : table.columns) {
-      if (std::find(seen.begin(), seen.end(), column.name) != seen.end()) continue;
+      if (std::ranges::find(seen, column.name) != seen.end()) continue;
       seen.push_back(column.name);
       variables.push_back(variableOf(column));
     }
@@ -74,7 +74,7 @@ Json descriptionOf(
 /// not, nor a path that leads out of the folder.
 bool mayBeExported(const fs::path& name) {
   return name.is_relative() && name.begin() != name.end() && *name.begin() != "wording" &&
-         std::none_of(name.begin(), name.end(), [](const auto& part) { return part == ".."; });
+         std::ranges::none_of(name, [](const auto& part) { return part == ".."; });
 }
 
 void writeMaterials(Study& study, const fs::path& folder, const ExportOptions& options) {

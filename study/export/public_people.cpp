@@ -116,9 +116,8 @@ QuasiIdentifier PublicPeople::orderIdentifier() const {
     auto& blocks = codesByPerson[people_.at(trial.step.visit.session)];
     const auto code = codes.find(trial.step.condition);
     const auto& phases = study_.protocol().protocol.phases;
-    const auto phase = std::find_if(phases.begin(), phases.end(), [&](const auto& known) {
-      return known.id == trial.step.phase;
-    });
+    const auto phase = std::ranges::find_if(
+        phases, [&](const auto& known) { return known.id == trial.step.phase; });
     const int place = static_cast<int>(phase - phases.begin());
     blocks[{place, trial.step.phase}][trial.step.position] =
         code == codes.end() ? "" : code->second;

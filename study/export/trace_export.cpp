@@ -97,7 +97,7 @@ std::size_t writeTraces(Study& study, const fs::path& folder, const ExportOption
     if (session == sessions.end() || trial.traceSamples == 0) continue;
     const auto samples = traces.read(trial.step.visit);
     // simulations without torque record zeros; their files have no columns for torque
-    const bool hasTorque = std::any_of(samples.begin(), samples.end(), [](const auto& sample) {
+    const bool hasTorque = std::ranges::any_of(samples, [](const auto& sample) {
       return sample.desiredTorque != 0.0F || sample.torque != 0.0F;
     });
     const auto text =

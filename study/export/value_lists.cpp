@@ -35,15 +35,15 @@ std::vector<Level> itemTypeLevels() {
 std::vector<const protocols::Protocol*> versionsOf(Study& study) {
   std::vector<const protocols::Protocol*> versions;
   for (const auto id : study.protocols().all()) versions.push_back(&study.protocol(id).protocol);
-  std::reverse(versions.begin(), versions.end());
+  std::ranges::reverse(versions);
   return versions;
 }
 
 /// Adds a value unless the list has it already. Versions of the protocol are added the newest
 /// first, so that the newest one gives the label.
 void addLevel(std::vector<Level>& levels, const std::string& value, const std::string& label) {
-  const bool isThere = std::any_of(
-      levels.begin(), levels.end(), [&](const auto& level) { return level.value == value; });
+  const bool isThere =
+      std::ranges::any_of(levels, [&](const auto& level) { return level.value == value; });
   if (!isThere) levels.push_back({value, label});
 }
 
@@ -93,7 +93,7 @@ ValueLists valueListsOf(Study& study, const ExportOptions& options) {
       if (!options.isBlinded) addLevel(lists[ValueList::Conditions], condition.id, condition.title);
     }
   }
-  std::sort(codes.begin(), codes.end(), [](const auto& a, const auto& b) {
+  std::ranges::sort(codes, [](const auto& a, const auto& b) {
     return a.value.size() != b.value.size() ? a.value.size() < b.value.size() : a.value < b.value;
   });
   return lists;

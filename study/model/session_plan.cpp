@@ -57,8 +57,7 @@ void offerAgain(
     const protocols::PlannedBlock& block,
     std::vector<Step>& steps) {
   auto trials = block.trials;
-  std::sort(
-      trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.label < b.label; });
+  std::ranges::sort(trials, [](const auto& a, const auto& b) { return a.label < b.label; });
   const auto& seen = protocol.phase(preference.block)->trials.isVisualised;
   for (const auto& trial : trials) {
     steps.push_back(
@@ -75,7 +74,7 @@ void offerAgain(
 std::vector<std::string> labelsOf(const protocols::PlannedBlock& block) {
   std::vector<int> numbers;
   for (const auto& trial : block.trials) numbers.push_back(trial.label);
-  std::sort(numbers.begin(), numbers.end());
+  std::ranges::sort(numbers);
   std::vector<std::string> labels;
   for (const int number : numbers) labels.push_back(std::to_string(number));
   return labels;

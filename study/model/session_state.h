@@ -86,19 +86,16 @@ inline constexpr auto kSessionTransitions = std::to_array<SessionTransition>({
 
 /// The state after @p event; std::nullopt if it is not allowed.
 constexpr std::optional<SessionState> next(SessionState from, SessionEvent event) {
-  const auto* row = std::find_if(
-      kSessionTransitions.begin(), kSessionTransitions.end(), [&](const SessionTransition& t) {
-        return t.from == from && t.event == event;
-      });
+  const auto* row = std::ranges::find_if(kSessionTransitions, [&](const SessionTransition& t) {
+    return t.from == from && t.event == event;
+  });
   return row == kSessionTransitions.end() ? std::nullopt : std::optional(row->to);
 }
 
 /// Whether the state is final.
 constexpr bool isOver(SessionState state) {
-  return std::none_of(
-      kSessionTransitions.begin(), kSessionTransitions.end(), [&](const SessionTransition& t) {
-        return t.from == state;
-      });
+  return std::ranges::none_of(
+      kSessionTransitions, [&](const SessionTransition& t) { return t.from == state; });
 }
 
 static_assert(!next(SessionState::Enrolled, SessionEvent::BeganTrial), "no trial without consent");

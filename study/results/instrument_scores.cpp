@@ -94,7 +94,7 @@ class InstrumentSummariser {
     std::vector<std::string> all{""};
     for (const auto& condition : protocol_.conditions) all.push_back(condition.id);
     std::erase_if(all, [&](const auto& condition) {
-      return std::none_of(forms_.begin(), forms_.end(), [&](const auto& form) {
+      return std::ranges::none_of(forms_, [&](const auto& form) {
         return form.cohort == cohort && form.condition == condition;
       });
     });
@@ -167,10 +167,8 @@ class InstrumentSummariser {
 };
 
 bool isSummarised(const Instrument& instrument) {
-  const bool hasThreshold =
-      std::any_of(instrument.items.begin(), instrument.items.end(), [](const auto& item) {
-        return item.acceptableFrom.has_value();
-      });
+  const bool hasThreshold = std::ranges::any_of(
+      instrument.items, [](const auto& item) { return item.acceptableFrom.has_value(); });
   return hasThreshold || !instrument.scores.empty() || instrument.consistency;
 }
 

@@ -27,7 +27,7 @@ double meanOf(const std::vector<double>& values) {
 void describe(ItemSummary& summary) {
   auto sorted = summary.values;
   if (sorted.empty()) return;
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   summary.mean = meanOf(sorted);
   summary.least = sorted.front();
   summary.most = sorted.back();

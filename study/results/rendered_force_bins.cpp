@@ -143,7 +143,7 @@ std::vector<RenderedForceCurve::Point> RenderedForceBins::points() {
   for (std::size_t bin = 0; bin < forces_.size(); ++bin) {
     auto& forces = forces_[bin];
     if (forces.empty() || 2 * forces.size() < all) continue;
-    std::sort(forces.begin(), forces.end());
+    std::ranges::sort(forces);
     const auto at = [&](double share) {
       return static_cast<double>(
           forces[static_cast<std::size_t>(share * static_cast<double>(forces.size() - 1))]);

@@ -223,7 +223,7 @@ class Computation {
     std::vector<std::string> people;
     for (const auto& [id, session] : sessions_) {
       const bool counts = session.cohort == cohort && session.isCompleted();
-      if (counts && std::find(people.begin(), people.end(), session.participant) == people.end()) {
+      if (counts && !base::contains(people, session.participant)) {
         people.push_back(session.participant);
       }
     }
@@ -335,8 +335,7 @@ class Computation {
     const auto& blocks = family.blocks;
     return answer.step.kind == StepKind::Questionnaire &&
            answer.step.instrument == family.instrument &&
-           (blocks.empty() ||
-            std::find(blocks.begin(), blocks.end(), answer.step.phase) != blocks.end());
+           (blocks.empty() || base::contains(blocks, answer.step.phase));
   }
 
   /// @param site  empty: votes of all sites
@@ -433,9 +432,8 @@ std::vector<RaisedFlag> flagsByKind(const FamilyResult& family, bool hasPooledTe
   for (const auto& cohort : family.cohorts) {
     for (const auto& flag : cohort.flags) {
       if (flag.concernsPooledTests && !hasPooledTests) continue;
-      auto same = std::find_if(raised.begin(), raised.end(), [&](const auto& other) {
-        return other.flag->id == flag.id;
-      });
+      auto same = std::ranges::find_if(
+          raised, [&](const auto& other) { return other.flag->id == flag.id; });
       if (same == raised.end()) same = raised.insert(raised.end(), {&flag, {}});
       same->found.emplace_back(cohort.cohort, &flag);
     }

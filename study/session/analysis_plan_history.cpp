@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/search.h"
+
 namespace study {
 namespace {
 
@@ -15,16 +17,10 @@ std::set<std::set<std::string>> pairsOf(const Family& family) {
   return pairs;
 }
 
-const Family* familyIn(const AnalysisPlan& plan, const std::string& id) {
-  const auto found = std::find_if(
-      plan.families.begin(), plan.families.end(), [&](const auto& f) { return f.id == id; });
-  return found == plan.families.end() ? nullptr : &*found;
-}
-
 /// Whether both plans have family @p id with equal declarations.
 bool isAlikeIn(const AnalysisPlan& one, const AnalysisPlan& other, const std::string& id) {
-  const auto* first = familyIn(one, id);
-  const auto* second = familyIn(other, id);
+  const auto* first = base::withId(one.families, id);
+  const auto* second = base::withId(other.families, id);
   return first != nullptr && second != nullptr && differingKeys(*first, *second).empty();
 }
 
@@ -42,7 +38,7 @@ class PlanTracker {
       const std::string& addedUtc,
       bool isUsed) {
     for (const auto& family : after.analysis.families) {
-      const auto* earlier = familyIn(before, family.id);
+      const auto* earlier = base::withId(before.families, family.id);
       auto keys =
           earlier == nullptr ? std::vector<std::string_view>{} : differingKeys(*earlier, family);
       if (earlier != nullptr && keys.empty()) continue;
@@ -52,7 +48,7 @@ class PlanTracker {
       if (kind == FamilyChange::Kind::Changed) changes_.back().keys = std::move(keys);
     }
     for (const auto& family : before.families) {
-      if (familyIn(after.analysis, family.id) != nullptr) continue;
+      if (base::withId(after.analysis.families, family.id) != nullptr) continue;
       add(family, FamilyChange::Kind::Removed, after.study.version, addedUtc);
     }
     if (!isUsed) return;
@@ -71,7 +67,7 @@ class PlanTracker {
     for (auto& change : changes_) {
       if (change.kind == FamilyChange::Kind::Restored) continue;
       change.isHarmless =
-          familyIn(now, change.family) != nullptr && history.isDeclared(change.family);
+          base::withId(now.families, change.family) != nullptr && history.isDeclared(change.family);
     }
     history.changes = std::move(changes_);
   }
@@ -103,7 +99,7 @@ class PlanTracker {
 }  // namespace
 
 bool AnalysisPlanHistory::isDeclared(std::string_view family) const {
-  return std::find(undeclared.begin(), undeclared.end(), family) == undeclared.end();
+  return std::ranges::find(undeclared, family) == undeclared.end();
 }
 
 std::vector<std::string_view> differingKeys(const Family& before, const Family& after) {
@@ -129,7 +125,7 @@ AnalysisPlanHistory analysisPlanHistory(Study& study) {
   const auto isFrozen = [&](ProtocolId id) {
     return study.protocols().load(id).frozenUtc.has_value();
   };
-  const auto first = std::find_if(ids.begin(), ids.end(), isFrozen);
+  const auto first = std::ranges::find_if(ids, isFrozen);
   if (first == ids.end()) return history;
   PlanTracker plan(study.protocol(*first).protocol.analysis);
   for (auto id = first + 1; id != ids.end(); ++id) {

@@ -1,9 +1,9 @@
 #include "study/session/arrivals.h"
 
-#include <algorithm>
 #include <exception>
 #include <sstream>
 
+#include "base/search.h"
 #include "study/storage/station_store.h"
 #include "study/storage/transfer/session_facts.h"
 
@@ -71,7 +71,7 @@ void recordErasureReceipt(
     const auto line = receipt.utc + " " + std::to_string(receipt.session) + " " +
                       std::to_string(receipt.left) + " " + receipt.participant;
     const auto noted = store.lines(list);
-    if (std::find(noted.begin(), noted.end(), line) == noted.end()) store.append(list, line);
+    if (!base::contains(noted, line)) store.append(list, line);
   } catch (const std::exception&) {
     return;
   }

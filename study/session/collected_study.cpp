@@ -79,10 +79,8 @@ CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Origin& orig
       protocolName_(origin.protocols.at(0).protocol.study.id) {
   fs::create_directory(folder_ / "exports");
   files_ = std::make_unique<Files>(StudyFiles{folder_});
-  const bool isOpen =
-      std::any_of(origin.protocols.begin(), origin.protocols.end(), [](const auto& protocol) {
-        return protocol.protocol.isOpenLabel;
-      });
+  const bool isOpen = std::ranges::any_of(
+      origin.protocols, [](const auto& protocol) { return protocol.protocol.isOpenLabel; });
   if (isOpen) {
     files_->identities.put(origin.secret);
   } else {

@@ -24,7 +24,7 @@ std::map<std::set<std::string>, std::vector<std::string>> conditionsByBlocks(
     std::set<std::string> blocks;
     for (const auto& phase : protocol.phases) {
       const auto& felt = phase.trials.conditions;
-      const bool isFelt = std::find(felt.begin(), felt.end(), condition.id) != felt.end();
+      const bool isFelt = std::ranges::find(felt, condition.id) != felt.end();
       if (phase.type == protocols::PhaseType::Block && isFelt) blocks.insert(phase.id);
     }
     groups[blocks].push_back(condition.id);
@@ -33,7 +33,7 @@ std::map<std::set<std::string>, std::vector<std::string>> conditionsByBlocks(
 }
 
 bool hasFixedOrder(const Protocol& protocol, const std::set<std::string>& blocks) {
-  return std::any_of(blocks.begin(), blocks.end(), [&](const std::string& block) {
+  return std::ranges::any_of(blocks, [&](const std::string& block) {
     return protocol.phase(block)->trials.order.type == protocols::OrderType::Fixed;
   });
 }
@@ -87,8 +87,8 @@ std::uint64_t seedOfStation(
 bool usesStationSecret(Study& study) {
   if (study.isCollected()) return true;
   const auto made = study.events().valuesOfMadeStudy();
-  return std::any_of(
-      made.begin(), made.end(), [](const auto& value) { return value.first == kOrdersOfStation; });
+  return std::ranges::any_of(
+      made, [](const auto& value) { return value.first == kOrdersOfStation; });
 }
 
 /// @param derivesSeedFromSecret  whether the station's seed is derived with its secret; ignored if

@@ -77,7 +77,7 @@ void requireErasable(Study& study, const ErasureRequest& request) {
 
 bool isSealed(Study& study, const std::string& participant) {
   const auto sessions = sessionsOf(study, participant);
-  return std::none_of(sessions.begin(), sessions.end(), [&](const auto& row) {
+  return std::ranges::none_of(sessions, [&](const auto& row) {
     return storage::hasUnsealedEvents(study.database(), row.id);
   });
 }

@@ -36,8 +36,7 @@ void removeExport(const fs::path& folder) {
   const std::vector<fs::directory_entry> entries{fs::directory_iterator(folder), {}};
   for (const auto& entry : entries) {
     const auto name = entry.path().filename();
-    if (std::find(kFilesNamingStudy.begin(), kFilesNamingStudy.end(), name) ==
-        kFilesNamingStudy.end()) {
+    if (std::ranges::find(kFilesNamingStudy, name) == kFilesNamingStudy.end()) {
       fs::remove_all(entry.path());
     }
   }
@@ -157,7 +156,7 @@ std::vector<fs::path> unfinishedFoldersOf(const fs::path& copy) {
        entry.increment(error)) {
     if (entry->path().filename().string().starts_with(begin)) folders.push_back(entry->path());
   }
-  std::sort(folders.begin(), folders.end());
+  std::ranges::sort(folders);
   return folders;
 }
 
@@ -213,7 +212,7 @@ std::vector<KnownCopy> knownCopies(Study& study) {
   const auto exports = study.folder() / "exports";
   if (!fs::is_directory(exports, ignored)) return copies;
   for (const auto& entry : fs::directory_iterator(exports)) {
-    const bool isKnown = std::any_of(copies.begin(), copies.end(), [&](const auto& copy) {
+    const bool isKnown = std::ranges::any_of(copies, [&](const auto& copy) {
       return fs::equivalent(copy.folder, entry.path(), ignored);
     });
     if (isKnown) continue;

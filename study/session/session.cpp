@@ -46,7 +46,7 @@ void requirePossibleEnrolment(const protocols::Protocol& protocol, const Enrolme
   if (protocol.cohort(enrolment.cohort) == nullptr) {
     throw UserError("The protocol has no cohort '" + enrolment.cohort + "'.");
   }
-  if (std::find(languages.begin(), languages.end(), enrolment.language) == languages.end()) {
+  if (std::ranges::find(languages, enrolment.language) == languages.end()) {
     throw UserError(
         "The protocol has no texts in '" + enrolment.language +
         "'. It has: " + base::joined(languages, ", ") + ".");

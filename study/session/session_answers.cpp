@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/search.h"
 #include "study/session/identity_evidence.h"
 #include "study/session/session.h"
 #include "study/storage/answer_repository.h"
@@ -56,9 +57,8 @@ std::vector<std::string> Session::missing() const {
   const auto asked = items();
   auto missing = questionnaires::unansweredItems(asked, responses(answers()));
   std::erase_if(missing, [&](const std::string& id) {
-    const auto item =
-        std::find_if(asked.begin(), asked.end(), [&](const auto& i) { return i.id == id; });
-    return item != asked.end() && item->isIdentifying && study_.identities().has(place(), id);
+    const auto* item = base::withId(asked, id);
+    return item != nullptr && item->isIdentifying && study_.identities().has(place(), id);
   });
   return missing;
 }
@@ -69,9 +69,8 @@ void Session::requireAnswerable() const {
 
 questionnaires::Item Session::askedItem(const std::string& id) const {
   const auto asked = items();
-  const auto item =
-      std::find_if(asked.begin(), asked.end(), [&](const auto& i) { return i.id == id; });
-  require(item != asked.end(), "'" + id + "' is not asked in this step.");
+  const auto* item = base::withId(asked, id);
+  require(item != nullptr, "'" + id + "' is not asked in this step.");
   return *item;
 }
 
@@ -136,9 +135,9 @@ int Session::benchmarkCuts() const {
 bool Session::gaveConsent() const {
   const auto given = answers();
   const auto asked = items();
-  return std::all_of(asked.begin(), asked.end(), [&](const auto& item) {
+  return std::ranges::all_of(asked, [&](const auto& item) {
     if (item.consentOption.empty() || !item.isRequired) return true;
-    return std::any_of(given.begin(), given.end(), [&](const auto& answer) {
+    return std::ranges::any_of(given, [&](const auto& answer) {
       return answer.item == item.id &&
              answer.response == questionnaires::Response(item.consentOption);
     });

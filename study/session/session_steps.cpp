@@ -1,6 +1,5 @@
 // The course of a session: steps, trials, and the operator's decisions.
-#include <algorithm>
-
+#include "base/search.h"
 #include "study/session/session.h"
 #include "study/storage/trial_repository.h"
 #include "study/words/counted.h"
@@ -228,9 +227,7 @@ void Session::noteReamerSwitch(bool isOn) {
 void Session::setLanguage(const std::string& language) {
   const auto& languages = protocol_->protocol.languages;
   require(!isOver(), "This session is over.");
-  require(
-      std::find(languages.begin(), languages.end(), language) != languages.end(),
-      "The protocol has no texts in '" + language + "'.");
+  require(base::contains(languages, language), "The protocol has no texts in '" + language + "'.");
   transact([&] {
     row_.language = language;
     appendEvent(Actor::Participant, EventKind::ChoseLanguage, language);

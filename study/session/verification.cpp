@@ -381,8 +381,7 @@ std::string describeOtherAccess(const std::filesystem::path& folder) {
 }
 
 bool Verification::isSound() const noexcept {
-  return std::all_of(
-      checks.begin(), checks.end(), [](const Check& check) { return check.problems.empty(); });
+  return std::ranges::all_of(checks, [](const Check& check) { return check.problems.empty(); });
 }
 
 Verification verify(Study& study, const Progress& progress, const VerifyOptions& options) {

@@ -56,7 +56,7 @@ std::string BlindingSecret::fingerprint(std::string_view row) const {
 void BlindingSecret::arrange(std::vector<std::string>& ids, std::string_view purpose) const {
   std::vector<std::pair<std::string, std::string>> hashed;
   for (const auto& id : ids) hashed.emplace_back(hashOf(std::string(purpose) + "/" + id), id);
-  std::sort(hashed.begin(), hashed.end());
+  std::ranges::sort(hashed);
   for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = std::move(hashed[i].second);
 }
 

@@ -251,8 +251,8 @@ std::string_view Event::name() const noexcept {
 }
 
 const base::Argument* Event::value(std::string_view name) const noexcept {
-  const auto found = std::find_if(
-      values.begin(), values.end(), [&](const auto& entry) { return entry.first == name; });
+  const auto found =
+      std::ranges::find_if(values, [&](const auto& entry) { return entry.first == name; });
   return found == values.end() ? nullptr : &found->second;
 }
 

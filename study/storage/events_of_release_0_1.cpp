@@ -84,8 +84,8 @@ base::Argument argumentOf(char kind, const std::string& text) {
 }
 
 base::Message messageOf(const Sentence& sentence, const std::smatch& found) {
-  const auto kind = std::find_if(
-      kMessages.begin(), kMessages.end(), [&](const auto& k) { return k.key == sentence.key; });
+  const auto kind =
+      std::ranges::find_if(kMessages, [&](const auto& k) { return k.key == sentence.key; });
   std::vector<base::Argument> arguments;
   for (std::size_t i = 0; i < sentence.arguments.size(); ++i) {
     arguments.push_back(argumentOf(sentence.arguments[i], found[i + 1]));

@@ -266,7 +266,7 @@ bool IdentityStore::hasPassphrase() const {
 
 bool IdentityStore::hasUnsealedNames() const {
   const auto rows = nameRows(database_, std::nullopt);
-  return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.sealed.empty(); });
+  return std::ranges::any_of(rows, [](const auto& row) { return row.sealed.empty(); });
 }
 
 std::set<std::string> IdentityStore::sealUnsealedNames() {

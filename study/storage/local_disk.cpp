@@ -42,7 +42,7 @@ constexpr auto kLocalFuseTypes = std::to_array<std::string_view>(
 
 template <typename Names>
 bool isAmong(const Names& names, std::string_view type) {
-  return std::find(names.begin(), names.end(), type) != names.end();
+  return std::ranges::find(names, type) != names.end();
 }
 
 }  // namespace
@@ -129,7 +129,7 @@ CommitTimes measureCommits(const std::filesystem::path& folder, int commits) {
     times.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
   }
   if (times.empty()) return {};
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   return {.commits = commits, .median = times[times.size() / 2], .longest = times.back()};
 }
 

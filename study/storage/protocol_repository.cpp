@@ -21,7 +21,7 @@ std::string sha256(std::string_view bytes) {
 std::string sha256(std::string_view text, const std::vector<protocols::SourceFile>& files) {
   std::vector<std::string> lines;
   for (const auto& file : files) lines.push_back(sha256(file.text) + " " + file.name + "\n");
-  std::sort(lines.begin(), lines.end());
+  std::ranges::sort(lines);
   std::string all = sha256(text) + "\n";
   for (const auto& line : lines) all += line;
   return files.empty() ? sha256(text) : sha256(all);
@@ -37,7 +37,7 @@ bool isSame(const StoredProtocol& stored, const protocols::LoadedProtocol& proto
 
 ProtocolId ProtocolRepository::add(
     const protocols::LoadedProtocol& protocol, const std::string& reason, const std::string& utc) {
-  const bool hasForms = std::any_of(protocol.files.begin(), protocol.files.end(), isOfLibrary);
+  const bool hasForms = std::ranges::any_of(protocol.files, isOfLibrary);
   Statement insert(
       database_,
       "INSERT INTO protocol (sha256, text, reason, added_utc, forms) "
@@ -66,8 +66,7 @@ std::vector<ProtocolId> ProtocolRepository::withoutForms() const {
 int ProtocolRepository::addForms(ProtocolId id, const std::vector<protocols::SourceFile>& files) {
   const auto stored = load(id).files;
   const auto isThere = [&](const protocols::SourceFile& file) {
-    return std::any_of(
-        stored.begin(), stored.end(), [&](const auto& other) { return other.name == file.name; });
+    return std::ranges::any_of(stored, [&](const auto& other) { return other.name == file.name; });
   };
   int added = 0;
   for (const auto& file : files) {

@@ -335,7 +335,7 @@ std::vector<CutRecord> Records::cuts() const {
       cuts.push_back(cutIn(visit, number, values, prefixOfCut(number)));
     }
   }
-  std::sort(cuts.begin(), cuts.end(), [](const CutRecord& a, const CutRecord& b) {
+  std::ranges::sort(cuts, [](const CutRecord& a, const CutRecord& b) {
     return std::tie(a.visit, a.number) < std::tie(b.visit, b.number);
   });
   return cuts;

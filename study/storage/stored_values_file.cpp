@@ -30,8 +30,7 @@ std::optional<Value> parsed(std::string_view text) {
 }
 
 const Value* find(const Value::Object& object, std::string_view key) {
-  const auto found =
-      std::find_if(object.begin(), object.end(), [&](const auto& m) { return m.key == key; });
+  const auto found = std::ranges::find_if(object, [&](const auto& m) { return m.key == key; });
   return found == object.end() ? nullptr : &found->value;
 }
 
@@ -47,8 +46,8 @@ base::Message messageIn(const Value& entry) {
   for (const auto& value : *values) {
     if (auto argument = argumentIn(value)) arguments.push_back(std::move(*argument));
   }
-  const auto kind = std::find_if(
-      kMessages.begin(), kMessages.end(), [&](const auto& known) { return known.key == *key; });
+  const auto kind =
+      std::ranges::find_if(kMessages, [&](const auto& known) { return known.key == *key; });
   const bool isKnown =
       kind != kMessages.end() && base::placeholderCount(kind->english) == arguments.size();
   return isKnown ? base::Message(*kind, std::move(arguments)) : base::Message::verbatim(*key);

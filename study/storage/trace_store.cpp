@@ -65,7 +65,7 @@ std::size_t sizeOf(const TraceChunk& chunk) noexcept {
 }
 
 TraceChunk chunkOf(const VisitKey& visit, int number, const std::vector<TraceSample>& samples) {
-  const std::int64_t layout = std::any_of(samples.begin(), samples.end(), hasTorque) ? 2 : 1;
+  const std::int64_t layout = std::ranges::any_of(samples, hasTorque) ? 2 : 1;
   const std::size_t size = sizeIn(layout);
   TraceChunk chunk{
       .step = visit.step,

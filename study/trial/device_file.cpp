@@ -243,8 +243,8 @@ std::vector<std::pair<std::string, ConnectionType>> connectionTypes() {
 std::optional<DeviceEntry> readEntry(const Node& node) {
   const std::string written = node.isObject() && node.has("type") ? node.text("type") : "";
   const auto known = connectionTypes();
-  const auto named = std::find_if(
-      known.begin(), known.end(), [&](const auto& type) { return type.first == written; });
+  const auto named =
+      std::ranges::find_if(known, [&](const auto& type) { return type.first == written; });
   std::vector<std::string_view> keys{"id", "type"};
   if (named != known.end()) {
     keys.insert(keys.end(), named->second.keys.begin(), named->second.keys.end());

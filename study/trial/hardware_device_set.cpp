@@ -1,10 +1,10 @@
 #include "study/trial/hardware_device_set.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/search.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/passivity.h"
 #include "haptics/engine/rendered_slope.h"
@@ -59,9 +59,8 @@ Device& HardwareDeviceSet::deviceOf(const DeviceEntry& entry) {
 }
 
 Device* HardwareDeviceSet::find(const std::string& id) {
-  const auto entry = std::find_if(
-      entries_.begin(), entries_.end(), [&](const auto& candidate) { return candidate.id == id; });
-  return entry == entries_.end() ? nullptr : &deviceOf(*entry);
+  const auto* entry = base::withId(entries_, id);
+  return entry == nullptr ? nullptr : &deviceOf(*entry);
 }
 
 Device& HardwareDeviceSet::device(const protocols::DeviceRequirement& need) {

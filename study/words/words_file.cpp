@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
 #include "base/joined.h"
+#include "base/search.h"
 #include "study/words/words.h"
 
 namespace study::words {
@@ -17,7 +17,7 @@ std::vector<std::string> languages() {
 
 Words wordsOrEnglish(std::string_view language) {
   const auto known = languages();
-  return std::ranges::find(known, language) == known.end() ? Words() : wordsIn(language);
+  return !base::contains(known, language) ? Words() : wordsIn(language);
 }
 
 Words wordsIn(std::string_view language) {

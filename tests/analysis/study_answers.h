@@ -14,6 +14,8 @@ struct StudyAnswers {
   analysis::Factor participant;
   analysis::Factor method;  ///< interpolation, fem, kalman
   analysis::Factor round;
+
+  std::vector<int> levels() const { return {scores.begin(), scores.end()}; }
 };
 
 /// @param cohort  professional or non-professional.

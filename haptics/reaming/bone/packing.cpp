@@ -44,8 +44,7 @@ PackingFlaws flawsOf(const Packing& packing, const Solid& body) {
     columns[j * columnsX + i].push_back(sphere);
   }
   for (auto& column : columns) {
-    std::sort(
-        column.begin(), column.end(), [](const Sphere& a, const Sphere& b) { return a.z < b.z; });
+    std::ranges::sort(column, [](const Sphere& a, const Sphere& b) { return a.z < b.z; });
   }
   for (const auto& sphere : spheres) {
     const auto [i, j] = columnOf(sphere);

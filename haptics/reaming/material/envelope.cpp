@@ -34,9 +34,8 @@ double meanOf(std::span<const Member> members) {
 template <typename Before>
 double expectedExtreme(std::span<const Member> members, Before before) {
   std::vector<Member> sorted(members.begin(), members.end());
-  std::sort(sorted.begin(), sorted.end(), [&](const Member& a, const Member& b) {
-    return before(a.value, b.value);
-  });
+  std::ranges::sort(
+      sorted, [&](const Member& a, const Member& b) { return before(a.value, b.value); });
   double expected = 0.0;
   double left = 1.0;  // probability that the sample has none of the members so far
   for (const auto& member : sorted) {
@@ -97,9 +96,8 @@ class StatisticAlongDepth {
 };
 
 const SampledCurve& longestOf(std::span<const SpecimenCurve> specimens) {
-  return std::max_element(
-             specimens.begin(),
-             specimens.end(),
+  return std::ranges::max_element(
+             specimens,
              [](const auto& a, const auto& b) { return a.curve.size() < b.curve.size(); })
       ->curve;
 }
@@ -121,9 +119,8 @@ Envelope singleSampleEnvelope(
     const auto& y = specimens[i].curve.y;
     return std::accumulate(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(common), 0.0);
   };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return total(a) < total(b);
-  });
+  std::ranges::stable_sort(
+      order, [&](std::size_t a, std::size_t b) { return total(a) < total(b); });
   return {
       extended(specimens[order.front()], places),
       extended(specimens[order[order.size() / 2]], places),
@@ -270,7 +267,7 @@ EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeCriterion& no
     nodes.insert(nodes.end(), own.begin(), own.end());
     slopes[c] = dataSlopes(*curves[c]);
   }
-  std::sort(nodes.begin(), nodes.end());
+  std::ranges::sort(nodes);
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   while (true) {
     EnvelopeSplines splines;

@@ -31,7 +31,7 @@ CurveNodes blended(const CurveNodes& a, const CurveNodes& b, double share) {
   for (const auto* nodes : {&a, &b}) {
     for (const auto& node : *nodes) places.push_back(node.position);
   }
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
   places.erase(std::unique(places.begin(), places.end()), places.end());
   CurveNodes result;
   for (const double x : places) {
@@ -80,8 +80,7 @@ std::optional<std::string> problemOf(const HardnessCurves& curves) {
 }
 
 const MaterialSet* Material::find(TestSet set) const noexcept {
-  const auto found =
-      std::find_if(sets.begin(), sets.end(), [&](const auto& each) { return each.set == set; });
+  const auto found = std::ranges::find_if(sets, [&](const auto& each) { return each.set == set; });
   return found != sets.end() ? &*found : nullptr;
 }
 

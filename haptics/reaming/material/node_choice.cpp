@@ -38,7 +38,7 @@ std::vector<std::size_t> greedyByPieces(const SplineDeviation& error, double wan
     pieces.push(pieceOf(worst.from, at));
     pieces.push(pieceOf(at, worst.to));
   }
-  std::sort(nodes.begin(), nodes.end());
+  std::ranges::sort(nodes);
   return nodes;
 }
 
@@ -85,7 +85,7 @@ std::vector<std::size_t> byThreshold(const SplineDeviation& error, double wanted
   constexpr double kThresholdFactor = 0.99;
   constexpr int kMostFalls = 3000;
   const auto curvature = curvatures(error);
-  double threshold = *std::max_element(curvature.begin(), curvature.end());
+  double threshold = *std::ranges::max_element(curvature);
   std::vector<std::size_t> best = samplesAbove(curvature, threshold, isThinned);
   double bestError = error.worstOfSpline(best).error;
   for (int fall = 0; fall < kMostFalls && bestError > wanted; ++fall) {
@@ -120,7 +120,7 @@ std::vector<std::size_t> optimal(const SplineDeviation& error, double wanted) {
   std::vector<std::size_t> nodes;
   for (std::size_t at = n - 1; at != 0; at = before[at]) nodes.push_back(at);
   nodes.push_back(0);
-  std::reverse(nodes.begin(), nodes.end());
+  std::ranges::reverse(nodes);
   return nodes;
 }
 

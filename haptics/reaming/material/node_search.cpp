@@ -75,7 +75,7 @@ Nodes byDynamicProgramming(const SplineDeviation& error, std::size_t count) {
     at = before.back()[at];
     nodes.push_back(places[at]);
   }
-  std::reverse(nodes.begin(), nodes.end());
+  std::ranges::reverse(nodes);
   return nodes;
 }
 
@@ -181,7 +181,7 @@ class Evolution {
 
   /// Rounds positions to increasing, distinct samples, and adds both ends.
   Nodes nodesOf(std::vector<double> places) const {
-    std::sort(places.begin(), places.end());
+    std::ranges::sort(places);
     Nodes nodes{0};
     for (std::size_t k = 0; k < places.size(); ++k) {
       const auto last = static_cast<double>(error_.size() - 1 - (places.size() - k));
@@ -193,9 +193,8 @@ class Evolution {
   }
 
   const Member& best() const {
-    return *std::min_element(members_.begin(), members_.end(), [](const auto& a, const auto& b) {
-      return a.cost < b.cost;
-    });
+    return *std::ranges::min_element(
+        members_, [](const auto& a, const auto& b) { return a.cost < b.cost; });
   }
 
   const Member& randomMember() { return members_[random_.bits() % kMembers]; }
@@ -212,7 +211,7 @@ class Evolution {
         tried[k] = origin[k] + weight * (one[k] - other[k]);
       }
     }
-    std::sort(tried.begin(), tried.end());
+    std::ranges::sort(tried);
     const double cost = error_.worstOfSpline(nodesOf(tried), member.cost).error;
     if (cost <= member.cost) member = {std::move(tried), cost};
   }

@@ -94,10 +94,8 @@ std::optional<Column> columnOf(
   const auto given = mapping.heads.find(quantity.name);
   for (std::size_t place = 0; place < heads.size(); ++place) {
     const base::ColumnHeading head = base::columnHeadingOf(base::lowerCase(heads[place]));
-    const bool isUsual =
-        std::any_of(quantity.heads.begin(), quantity.heads.end(), [&head](const char* usual) {
-          return head.name == usual;
-        });
+    const bool isUsual = std::ranges::any_of(
+        quantity.heads, [&head](const char* usual) { return head.name == usual; });
     const bool isIt = given != mapping.heads.end() ? heads[place] == given->second : isUsual;
     if (!isIt) continue;
     const auto unit = mapping.units.find(quantity.name);
@@ -266,7 +264,7 @@ std::optional<std::string> implausibilityIn(const Series& series) {
            " to " + recordings::decimal(kMillimetres * x.back(), 2) +
            " mm; the axis is reversed, or nothing moved";
   }
-  const double least = *std::min_element(x.begin(), x.end());
+  const double least = *std::ranges::min_element(x);
   if (x.front() - least > 0.05 * way) return "the reamer goes back at its beginning";
   return std::nullopt;
 }
@@ -329,7 +327,7 @@ std::optional<std::string> reamingThroughIn(const Series& series) {
   constexpr double kLeastLength = 0.001;    // [m]
   const auto means = halfSecondMeans(series);
   if (means.empty()) return std::nullopt;
-  const double most = *std::max_element(means.begin(), means.end());
+  const double most = *std::ranges::max_element(means);
   const double start = series.displacement.front();
   const std::size_t length = series.force.size() / means.size();
   std::size_t empty = means.size();

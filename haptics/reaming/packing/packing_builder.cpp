@@ -136,7 +136,7 @@ class Builder {
   std::vector<Sphere> spheres() const {
     std::vector<Sphere> all;
     for (const auto& cell : cells_) all.insert(all.end(), cell.begin(), cell.end());
-    std::sort(all.begin(), all.end(), [](const Sphere& a, const Sphere& b) {
+    std::ranges::sort(all, [](const Sphere& a, const Sphere& b) {
       return std::tie(b.radius, a.x, a.y, a.z) < std::tie(a.radius, b.x, b.y, b.z);
     });
     return all;

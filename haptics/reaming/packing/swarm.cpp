@@ -74,10 +74,8 @@ DensityFit fitSwarm(
     }
   };
   const auto bestParticle = [&] {
-    const auto best = std::min_element(
-        particles.begin(), particles.end(), [](const Particle& a, const Particle& b) {
-          return a.error < b.error;
-        });
+    const auto best = std::ranges::min_element(
+        particles, [](const Particle& a, const Particle& b) { return a.error < b.error; });
     return std::pair(best->best, best->error);
   };
   forEach(particles, options.threads, judge);

@@ -18,7 +18,7 @@ std::string countText(std::size_t count, const char* one, const char* many) {
 }
 
 bool isFinite(const TriangleMesh& mesh) noexcept {
-  return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Vec3& v) {
+  return std::ranges::all_of(mesh.vertices, [](const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
   });
 }
@@ -53,7 +53,7 @@ std::size_t dropDegenerate(TriangleMesh& mesh) {
   std::erase_if(mesh.triangles, [&](const TriangleMesh::Triangle& t) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
     auto sorted = t;
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     return !seen.insert(sorted).second;
   });
   return before - mesh.triangles.size();
@@ -75,8 +75,7 @@ bool pierces(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) noexcept {
 bool doIntersect(
     const TriangleMesh& mesh, const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) {
   for (const auto corner : s) {
-    if (std::find(t.begin(), t.end(), corner) != t.end())
-      return false;  // neighbours share a corner
+    if (std::ranges::find(t, corner) != t.end()) return false;  // neighbours share a corner
   }
   const auto& v = mesh.vertices;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -195,9 +195,8 @@ int printVerdict(
     const haptics::timing::StandstillWatch& watch) {
   const bool isSound = verify(study).isSound();
   const std::string place = (fs::path(arguments.out) / "study").string();
-  const auto firstIncomplete = std::find_if(endings.begin(), endings.end(), [](const auto& ending) {
-    return ending.state != SessionState::Completed;
-  });
+  const auto firstIncomplete = std::ranges::find_if(
+      endings, [](const auto& ending) { return ending.state != SessionState::Completed; });
   if (firstIncomplete != endings.end()) {
     return failed(
         watch,

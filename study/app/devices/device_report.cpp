@@ -23,10 +23,9 @@ std::vector<DeviceFindings> checkAll(
 }
 
 bool isFit(const std::vector<DeviceFindings>& found) noexcept {
-  return std::all_of(found.begin(), found.end(), [](const auto& device) {
-    return std::none_of(device.results.begin(), device.results.end(), [](const auto& result) {
-      return result.finding == Finding::Fail;
-    });
+  return std::ranges::all_of(found, [](const auto& device) {
+    return std::ranges::none_of(
+        device.results, [](const auto& result) { return result.finding == Finding::Fail; });
   });
 }
 

@@ -121,7 +121,7 @@ void requireAllowedName(const std::string& name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || c == '.';
   };
-  if (!name.empty() && std::all_of(name.begin(), name.end(), isPlain)) return;
+  if (!name.empty() && std::ranges::all_of(name, isPlain)) return;
   throw UserError(fmt::format(
       "'{}' is no name of a calibration. Use letters, digits, '.', '_' and '-', e.g. "
       "load-cell-2.",

@@ -160,7 +160,7 @@ DataTable envelopeTable(
     const reaming::FittedEnvelope& envelope,
     const reaming::FitOptions& options) {
   auto middle = middleCurveNameOf(options.envelope);
-  std::replace(middle.begin(), middle.end(), '-', '_');
+  std::ranges::replace(middle, '-', '_');
   DataTable table{
       .name = fmt::format("envelope-{}-{}", nameOf(set.set), quantity),
       .columns = {{"depth_mm", ""}, {"share_of_test_set", ""}, {"measured", ""}, {"held", ""}}};
@@ -367,7 +367,7 @@ report::Document materialReport(
     const reaming::FitOptions& options) {
   report::Document document{.title = "A reaming material from measured series"};
   const bool isSynthetic =
-      std::any_of(series.begin(), series.end(), [](const auto& each) { return each.isSynthetic; });
+      std::ranges::any_of(series, [](const auto& each) { return each.isSynthetic; });
   if (isSynthetic) {
     document.lead.emplace_back(
         "SYNTHETIC: these series were not measured. They have the published properties and no "
@@ -383,9 +383,8 @@ report::Document materialReport(
   for (std::size_t i = 0; i < series.size(); ++i) {
     const auto& prepared = fit.series[i];
     if (prepared.exclusion.isExcluded()) continue;
-    const auto set = std::find_if(fit.sets.begin(), fit.sets.end(), [&](const auto& each) {
-      return each.set == prepared.set;
-    });
+    const auto set =
+        std::ranges::find_if(fit.sets, [&](const auto& each) { return each.set == prepared.set; });
     document.parts.push_back(seriesPart(series[i], prepared, i + 1, set->scale, options));
   }
   return document;

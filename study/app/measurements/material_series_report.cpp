@@ -48,7 +48,7 @@ Chart spectrumChart(
   const auto filtered = haptics::filters::zeroPhaseLowPass(of.samples, series.rate, of.cutoff);
   const auto after = haptics::filters::spectrumOf(filtered, series.rate, options.cutoffRule);
   ChartSeries cutoff{.title = "cut-off", .style = ChartSeries::Style::Dashed};
-  const double highest = *std::max_element(spectrum.amplitude.begin(), spectrum.amplitude.end());
+  const double highest = *std::ranges::max_element(spectrum.amplitude);
   cutoff.points = {{of.cutoff, 1e-6 * highest}, {of.cutoff, highest}};
   const double least = 1e-6 * highest;
   chart.y.least = least;

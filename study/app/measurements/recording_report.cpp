@@ -45,8 +45,7 @@ report::DocumentPart spectrumPart(
   Chart chart{
       .x = {.title = "frequency [Hz]", .isLogarithmic = true},
       .y = {.title = "amplitude [travel units]", .isLogarithmic = true}};
-  const double highest =
-      *std::max_element(spectrumBefore.amplitude.begin(), spectrumBefore.amplitude.end());
+  const double highest = *std::ranges::max_element(spectrumBefore.amplitude);
   const double least = 1e-7 * highest;
   chart.y.least = least;
   chart.series = {

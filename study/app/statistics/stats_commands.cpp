@@ -37,9 +37,8 @@ Profile profileNamed(std::string_view name) {
 [[noreturn]] void watch(Study& study, RunMode mode, Profile profile, Wording wording) {
   constexpr std::chrono::milliseconds kWatchPeriod{500};
   const auto& families = study.protocol().protocol.analysis.families;
-  const bool isAllPooled = std::all_of(families.begin(), families.end(), [&](const auto& family) {
-    return isPooled(profile, family);
-  });
+  const bool isAllPooled =
+      std::ranges::all_of(families, [&](const auto& family) { return isPooled(profile, family); });
   while (true) {
     // read before the results are computed, so that later events are not missed
     const auto lastEvent = study.events().last();

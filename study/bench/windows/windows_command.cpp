@@ -109,7 +109,7 @@ DataTable plotTable(const PlotSpeed& plots) {
 }
 
 DataTable pageTable(std::vector<double> waits, const std::string& folder) {
-  std::sort(waits.begin(), waits.end());
+  std::ranges::sort(waits);
   const auto at = [&](double q) {
     return waits[static_cast<std::size_t>(q * static_cast<double>(waits.size() - 1))];
   };

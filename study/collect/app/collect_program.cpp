@@ -33,7 +33,7 @@ std::unique_ptr<CLI::App> makeCollectProgram(Action& action) {
 
 int runPalpate(std::vector<std::string> words) {
   const auto command = words.front();
-  std::reverse(words.begin(), words.end());  // CLI11 expects them in reverse order
+  std::ranges::reverse(words);  // CLI11 expects them in reverse order
   CLI::App program;
   app::Action run;
   app::addStatsCommands(program, run);

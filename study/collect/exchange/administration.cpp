@@ -94,9 +94,8 @@ std::optional<std::string> problemIn(
     Connection& server, const std::string& study, const BundleHeader& bundle) {
   ServerReader reader(server, study, "a bundle is checked");
   const auto stations = reader.stations();
-  const auto station = std::find_if(stations.begin(), stations.end(), [&](const auto& row) {
-    return row.station.uuid == bundle.station;
-  });
+  const auto station = std::ranges::find_if(
+      stations, [&](const auto& row) { return row.station.uuid == bundle.station; });
   if (station == stations.end()) return "its station is not of this study";
   StationTrail trail(
       reader.origin(), *station, reader.events(*station), reader.keys(*station), bundle.last);

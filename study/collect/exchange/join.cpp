@@ -24,9 +24,8 @@ std::string contentOf(const std::filesystem::path& path) {
 
 void requireUnused(const StationEnrolment& enrolment, const storage::StationStore& station) {
   const auto used = station.lines(kEnrolmentList);
-  const bool isUsed = std::any_of(used.begin(), used.end(), [&](const std::string& line) {
-    return line.starts_with(enrolment.station.uuid);
-  });
+  const bool isUsed = std::ranges::any_of(
+      used, [&](const std::string& line) { return line.starts_with(enrolment.station.uuid); });
   if (!isUsed) return;
   throw UserError(
       "This enrolment was used already: the study's folder is on this computer. A second one "
@@ -34,7 +33,7 @@ void requireUnused(const StationEnrolment& enrolment, const storage::StationStor
 }
 
 std::string withoutSpaces(std::string text) {
-  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  std::erase(text, ' ');
   return text;
 }
 

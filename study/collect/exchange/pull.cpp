@@ -155,8 +155,7 @@ std::vector<std::string> problemsOf(
 }  // namespace
 
 bool PullResult::isSound() const noexcept {
-  return problems.empty() &&
-         std::all_of(stations.begin(), stations.end(), [](const PulledStation& station) {
+  return problems.empty() && std::ranges::all_of(stations, [](const PulledStation& station) {
            return station.problems.empty();
          });
 }

@@ -90,7 +90,7 @@ void StationTrail::checkTrail(
   // then the n-th of events_.
   std::int64_t whole = 0;
   const auto isNext = [&](const storage::StoredEvent& event) { return event.seq == ++whole; };
-  events_.erase(std::find_if_not(events_.begin(), events_.end(), isNext), events_.end());
+  events_.erase(std::ranges::find_if_not(events_, isNext), events_.end());
   bundleSignedUpTo = std::min(bundleSignedUpTo, static_cast<std::int64_t>(events_.size()));
   database_ = trailOf(study.uuid, events_);
   const storage::EventLog log(*database_);
@@ -180,7 +180,7 @@ std::vector<std::string> StationTrail::problemsOf(
     keysToTry.insert(keysToTry.begin(), &key_);
   }
   const auto& last = events_.at(static_cast<std::size_t>(lastEvent - 1));
-  const bool isSame = std::any_of(keysToTry.begin(), keysToTry.end(), [&](const auto* key) {
+  const bool isSame = std::ranges::any_of(keysToTry, [&](const auto* key) {
     const storage::Transaction rolledBack(*database_);
     storage::addSessionTablesAs(*database_, facts, SessionId{session}, key, recorded.open);
     return agrees(session, last);

@@ -13,7 +13,7 @@ constexpr const char* kUtcFormat = R"('YYYY-MM-DD"T"HH24:MI:SS.MS"Z"')";
 
 /// A name in SQL cannot contain '-' without quotation marks.
 std::string roleNamed(const std::string& prefix, std::string name) {
-  std::replace(name.begin(), name.end(), '-', '_');
+  std::ranges::replace(name, '-', '_');
   return prefix + name;
 }
 

@@ -66,7 +66,7 @@ std::string longestPlainPart(const std::string& text) {
 
 /// Whether @p file is one of the @p open databases, or the log or shared memory of one.
 bool isOf(const std::vector<const Database*>& open, const fs::path& file) {
-  return std::any_of(open.begin(), open.end(), [&](const Database* database) {
+  return std::ranges::any_of(open, [&](const Database* database) {
     const auto& path = database->path();
     return file == path || file == path + "-wal" || file == path + "-shm";
   });
@@ -76,7 +76,7 @@ bool isOf(const std::vector<const Database*>& open, const fs::path& file) {
 
 void ByteSearch::add(const std::string& text, std::size_t shortest) {
   auto part = longestPlainPart(text);
-  const bool isNew = std::find(texts_.begin(), texts_.end(), part) == texts_.end();
+  const bool isNew = std::ranges::find(texts_, part) == texts_.end();
   if (part.size() < shortest) {
     ++ignored_;
   } else if (isNew) {
@@ -100,9 +100,8 @@ bool ByteSearch::isIn(const Reader& read) const {
     const auto came = read(bytes.data() + kept, kBytesPerRead);
     if (came == 0) return false;
     bytes.resize(kept + came);
-    const bool isFound = std::any_of(texts_.begin(), texts_.end(), [&](const auto& text) {
-      return bytes.find(text) != std::string::npos;
-    });
+    const bool isFound = std::ranges::any_of(
+        texts_, [&](const auto& text) { return bytes.find(text) != std::string::npos; });
     if (isFound) return true;
   }
 }
@@ -135,7 +134,7 @@ std::vector<std::string> ByteSearch::filesIn(
     const bool isSearched = entry.is_regular_file() && !isOf(open, entry.path());
     if (isSearched && isIn(entry.path())) found.push_back(relative(entry.path()));
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   return found;
 }
 

@@ -53,7 +53,7 @@ std::vector<ListedErasure> listedErasures(const std::string& study) {
 
 void addListedErasure(const ListedErasure& erasure) {
   const auto known = listedErasures(erasure.study);
-  if (std::find(known.begin(), known.end(), erasure) != known.end()) return;
+  if (std::ranges::find(known, erasure) != known.end()) return;
   StationStore::openOrCreate(StationStore::defaultFolder()).append(kListName, asLine(erasure));
 }
 
@@ -62,7 +62,7 @@ std::vector<ListedErasure> erasuresToRepeat(
   std::vector<ListedErasure> open;
   const auto done = ErasureRepository(database).all();
   const auto isDone = [&](const ListedErasure& erasure, bool (*part)(ErasureLevel)) {
-    return !part(erasure.level) || std::any_of(done.begin(), done.end(), [&](const auto& other) {
+    return !part(erasure.level) || std::ranges::any_of(done, [&](const auto& other) {
       return other.participant == erasure.participant && part(other.level);
     });
   };

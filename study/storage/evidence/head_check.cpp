@@ -71,15 +71,13 @@ OwnHeads ownHeads(const TrailHeads& trail, const std::vector<RecordedHead>& note
     return each.head.first == trail.firstHash();
   };
   OwnHeads own;
-  own.beganAtThisStation = std::any_of(noted.begin(), noted.end(), [&](const auto& each) {
-    return isOfTrail(each) && confirmsTrailStart(each.head);
-  });
+  own.beganAtThisStation = std::ranges::any_of(
+      noted, [&](const auto& each) { return isOfTrail(each) && confirmsTrailStart(each.head); });
   own.isKnown = own.beganAtThisStation || noted.empty() || isOfTrail(noted.front());
-  const auto last = std::find_if(noted.begin(), noted.end(), [&](const auto& each) {
-    return trail.isLastOfPreviousTrail(each.head);
-  });
+  const auto last = std::ranges::find_if(
+      noted, [&](const auto& each) { return trail.isLastOfPreviousTrail(each.head); });
   const auto before = last == noted.end() ? std::string() : last->head.first;
-  std::copy_if(noted.begin(), noted.end(), std::back_inserter(own.heads), [&](const auto& each) {
+  std::ranges::copy_if(noted, std::back_inserter(own.heads), [&](const auto& each) {
     return !own.isKnown || isOfTrail(each) || each.head.first == before ||
            trail.isAbandoned(each.head);
   });
@@ -160,9 +158,9 @@ Findings checkStation(
   }
   // A head is noted after its events were stored, so the list may have grown since.
   const auto since = ownHeads(trail, readRecordedHeads(station, trail.study()).heads).heads;
-  const auto unnoted = std::count_if(trail.all().begin(), trail.all().end(), [&](const auto& each) {
+  const auto unnoted = std::ranges::count_if(trail.all(), [&](const auto& each) {
     return each.isSound && each.head.key == station.publicKey() &&
-           std::none_of(since.begin(), since.end(), [&](const auto& other) {
+           std::ranges::none_of(since, [&](const auto& other) {
              return other.head.signature == each.head.signature;
            });
   });

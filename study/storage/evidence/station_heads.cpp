@@ -23,7 +23,7 @@ std::string onOneLine(const std::filesystem::path& folder) {
   std::error_code ignored;
   const auto whole = std::filesystem::absolute(folder, ignored);
   std::string text = whole.empty() ? folder.string() : whole.lexically_normal().string();
-  std::replace(text.begin(), text.end(), '\n', '?');
+  std::ranges::replace(text, '\n', '?');
   return text;
 }
 

@@ -107,7 +107,7 @@ void TrailHeads::readSigned() {
 void TrailHeads::readAbandonedHeads() {
   for (const auto& event : eventsOf(database_, study::nameOf(EventKind::RestoredCopy))) {
     // Counts only if the station that signed the given-up heads also signed this event.
-    const auto signature = std::find_if(signed_.begin(), signed_.end(), [&](const auto& each) {
+    const auto signature = std::ranges::find_if(signed_, [&](const auto& each) {
       return each.isSound && each.head.events == event.first &&
              each.head.purpose == study::nameOf(EventKind::RestoredCopy);
     });
@@ -121,7 +121,7 @@ bool TrailHeads::holds(const SignedHead& head) const {
   if (head.events < 1 || hashOf(head.events) != head.hash) return false;
   const bool isElsewhereOnly =
       head.purpose == kWitness || head.purpose == study::nameOf(EventKind::MadeStudy);
-  return isElsewhereOnly || std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {
+  return isElsewhereOnly || std::ranges::any_of(signed_, [&](const auto& each) {
            const bool isIt = each.seq == head.events + 1 && each.head.signature == head.signature;
            // A copy of this trail was sealed again, but this trail continued: the same station
            // signed it later.
@@ -146,7 +146,7 @@ bool TrailHeads::belongsToPreviousTrail(const SignedHead& head) const {
   // station may sign sessions of a study whose first events were replaced.
   const auto purpose =
       study::nameOf(isCollected_ ? EventKind::CollectedStudy : EventKind::ResealedTrail);
-  return std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {
+  return std::ranges::any_of(signed_, [&](const auto& each) {
     return each.isSound && each.head.key == head.key && each.head.purpose == purpose &&
            each.head.events == previousTrailEvents_ + 1;
   });

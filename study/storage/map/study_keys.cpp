@@ -92,7 +92,7 @@ bool storeStudyKey(const BlindingSecret& key, const std::filesystem::path& folde
   if (keyOnStation(commitment)) return false;
   const auto station = StationStore::openOrCreate(StationStore::defaultFolder());
   std::string where = std::filesystem::absolute(folder).string();
-  std::replace(where.begin(), where.end(), '\n', ' ');
+  std::ranges::replace(where, '\n', ' ');
   station.append(kListName, commitment + " " + inHexadecimal(key.bytes()) + " " + where);
   return true;
 }
@@ -124,8 +124,8 @@ bool dropKey(const std::string& commitment) {
 
 void writeKeyFile(const std::string& path, const BlindingSecret& key, const std::string& title) {
   std::string words = title;
-  std::replace_if(
-      words.begin(), words.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+  std::ranges::replace_if(
+      words, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
   writeNewFile(
       path,
       fmt::format(

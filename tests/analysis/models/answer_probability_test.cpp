@@ -118,10 +118,6 @@ TEST(AnswerProbability, RefusesDesignsOfAnotherModel) {
 
 class StudyProbability : public testing::TestWithParam<std::pair<const char*, const char*>> {
  protected:
-  static std::vector<int> levelsOf(const tests::StudyAnswers& answers) {
-    return {answers.scores.begin(), answers.scores.end()};
-  }
-
   static void check(const Model& model, const nlohmann::json& golden, double gate) {
     ASSERT_EQ(golden.size(), 3U);
     for (const auto& truth : golden) {
@@ -150,7 +146,7 @@ TEST_P(StudyProbability, MatchesTheReferenceWithoutRandomIntercepts) {
   fixed.add(answers.method);
   const auto golden = tests::statsJson("study/study_golden.json");
   check(
-      fitted(levelsOf(answers), fixed, {}),
+      fitted(answers.levels(), fixed, {}),
       golden["clm_" + std::string(GetParam().second) + "_from_4"],
       6.0);
 }
@@ -165,7 +161,7 @@ TEST_P(StudyProbability, MatchesTheReferenceWithRandomIntercepts) {
       answers.participant, interactionOf(answers.participant, answers.method)};
   const auto golden = tests::statsJson("study/study_golden.json");
   check(
-      fitted(levelsOf(answers), fixed, random),
+      fitted(answers.levels(), fixed, random),
       golden["clmm_" + std::string(GetParam().second) + "_from_4"],
       3.0);
 }

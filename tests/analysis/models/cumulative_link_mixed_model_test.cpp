@@ -48,12 +48,7 @@ void check(const CumulativeLinkFit& fit, const nlohmann::json& golden, const Gat
   }
 }
 
-class StudyOrdinal : public testing::TestWithParam<std::pair<const char*, const char*>> {
- protected:
-  static std::vector<int> levelsOf(const tests::StudyAnswers& answers) {
-    return {answers.scores.begin(), answers.scores.end()};
-  }
-};
+class StudyOrdinal : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(StudyOrdinal, MatchesTheReferenceWithRandomIntercepts) {
   const auto answers = tests::studyAnswers(GetParam().first);
@@ -65,7 +60,7 @@ TEST_P(StudyOrdinal, MatchesTheReferenceWithRandomIntercepts) {
 
   const std::vector<Factor> random{
       interactionOf(answers.participant, answers.method), answers.participant};
-  const auto result = analysis::fitCumulativeLinkMixedModel(levelsOf(answers), fixed, random);
+  const auto result = analysis::fitCumulativeLinkMixedModel(answers.levels(), fixed, random);
 
   ASSERT_TRUE(result.fit) << base::describe(result.reason);
   // R's Hessian is taken by differences of a likelihood whose mode is found to 1e-4 only; ours is
@@ -86,7 +81,7 @@ TEST_P(StudyOrdinal, MatchesTheReferenceWithoutRandomIntercepts) {
   FixedEffects fixed(answers.scores.size());
   fixed.add(answers.method);
 
-  const auto result = analysis::fitCumulativeLinkMixedModel(levelsOf(answers), fixed, {});
+  const auto result = analysis::fitCumulativeLinkMixedModel(answers.levels(), fixed, {});
 
   ASSERT_TRUE(result.fit) << base::describe(result.reason);
   check(*result.fit, golden["clm_" + key], {.estimate = 6.0, .standardError = 6.0, .p = 6.0});

@@ -13,6 +13,7 @@
 #include "study/storage/map/study_keys.h"
 #include "tests/study/everything_instrument.h"
 #include "tests/study/made_study.h"
+#include "tests/study/session/erased_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/study/walk.h"
 
@@ -21,16 +22,7 @@ namespace identity_test {
 
 const std::string kName = "Zaphod Beeblebrox-Sentinel";
 
-/// The names of the files under @p folder that contain @p text.
-std::vector<std::string> filesWith(const std::string& folder, const std::string& text) {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    if (tests::contentOf(entry.path()).find(text) == std::string::npos) continue;
-    names.push_back(entry.path().filename().string());
-  }
-  return names;
-}
+using tests::filesWith;
 
 class IdentityTest : public testing::Test {
  protected:
