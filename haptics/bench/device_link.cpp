@@ -72,7 +72,6 @@ void LinkLoop::tick(double dt, double lateness) noexcept {
   const auto missedPeriods = static_cast<int>(1e-6 * lateness / dt);
   const auto sample = engine_.tick(dt, missedPeriods);
   if (isOver()) return;
-  if (run_.ticks == 0) run_.startDelay = 1e-9 * static_cast<double>(timing::now() - begin_);
   ++run_.ticks;
   run_.missedPeriods += static_cast<std::uint64_t>(missedPeriods);
   run_.seconds = 1e-9 * static_cast<double>(timing::now() - begin_);

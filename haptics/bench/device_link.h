@@ -24,7 +24,6 @@ struct LinkRun {
   std::uint64_t ticks = 0;            ///< until the device failed or the run ended
   std::uint64_t missedPeriods = 0;    ///< until the device failed or the run ended
   double seconds = 0.0;               ///< until the device failed or the run ended
-  double startDelay = 0.0;            ///< time from arming to the first tick [s]
   double processor = 0.0;             ///< processor time of this process, all threads [s]
   std::string fault;                  ///< the fault that ended the run early; empty: none
 };

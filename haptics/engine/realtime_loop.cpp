@@ -16,10 +16,6 @@ namespace haptics::engine {
 
 HostPauseDetector::HostPauseDetector() noexcept
     : file_(open("/proc/thread-self/schedstat", O_RDONLY | O_CLOEXEC)) {
-  if (waited() < 0 && file_ >= 0) {
-    close(file_);
-    file_ = -1;
-  }
   restart();
 }
 
@@ -169,7 +165,6 @@ void RealtimeLoop::run(const std::stop_token& stop) {
   // without both.
   isRealtime_ = options_.requestsRealtime && requestRealtime();
   HostPauseDetector hostPauses;
-  report_.detectsHostPauses = hostPauses.isAvailable();
   const double dt = 1.0 / options_.rate;
   const auto period = static_cast<std::int64_t>(dt * static_cast<double>(kSecond));
   // Lateness above this is attributed to its cause; less is timer slack and wake-up latency.

@@ -26,8 +26,6 @@ class HostPauseDetector {
   HostPauseDetector(const HostPauseDetector&) = delete;
   HostPauseDetector& operator=(const HostPauseDetector&) = delete;
 
-  bool isAvailable() const noexcept { return file_ >= 0; }
-
   /// Restarts the count. Call it now and then while no tick is late, so that the short waits of
   /// many wake-ups do not add up.
   void restart() noexcept;
@@ -74,7 +72,6 @@ class RealtimeLoop {
     std::uint64_t missedPeriods = 0;
     std::uint64_t hostPauses = 0;           ///< late ticks that a host pause caused
     double longestHostPause = 0.0;          ///< [µs]
-    bool detectsHostPauses = false;         ///< whether the kernel's count is available
     double seconds = 0.0;                   ///< from the first tick to the last
     timing::LatenessHistogram lateness;     ///< of every tick
     timing::LatenessHistogram ownLateness;  ///< of every tick, without host pauses

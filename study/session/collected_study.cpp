@@ -27,10 +27,6 @@ using storage::Transaction;
 /// File of the EventSpool in the folder; it is removed when the trail is written.
 constexpr const char* kSpoolFile = "waiting.db";
 
-Database createDatabase(const std::string& path, const storage::Schema& schema) {
-  return Database::create(path, schema);
-}
-
 /// The versions of the protocol that live sessions used.
 std::set<ProtocolId> liveProtocols(const Database& study) {
   storage::Statement live(
@@ -45,9 +41,9 @@ std::set<ProtocolId> liveProtocols(const Database& study) {
 /// The three databases, each in one transaction.
 struct CollectedStudy::Files {
   explicit Files(const StudyFiles& names)
-      : study(createDatabase(names.study(), storage::studySchema())),
-        traces(createDatabase(names.traces(), storage::traceSchema())),
-        identities(createDatabase(names.identity(), storage::identitySchema())) {}
+      : study(Database::create(names.study(), storage::studySchema())),
+        traces(Database::create(names.traces(), storage::traceSchema())),
+        identities(Database::create(names.identity(), storage::identitySchema())) {}
 
   void begin() {
     studyTransaction = std::make_unique<Transaction>(study);

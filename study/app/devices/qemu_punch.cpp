@@ -68,8 +68,7 @@ std::string portIn(int from) {
 
 }  // namespace
 
-QemuPunch::QemuPunch(const std::string& firmware, const std::string& link)
-    : firmware_(firmware), link_(link) {
+QemuPunch::QemuPunch(const std::string& firmware, const std::string& link) : link_(link) {
   if (!std::filesystem::is_regular_file(firmware)) {
     throw UserError(
         firmware +

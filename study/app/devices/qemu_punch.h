@@ -29,7 +29,6 @@ class QemuPunch {
  private:
   void requireFreeLink() const;
 
-  std::string firmware_;
   std::string link_;
   std::string port_;
   pid_t id_ = -1;

@@ -59,7 +59,6 @@ std::string asText(const Batch& batch);
 /// The server's answer to a batch.
 struct ServerAnswer {
   std::int64_t lastEvent = 0;  ///< the server has all events up to this number
-  std::int64_t pending = 0;    ///< sessions whose rows the server does not have yet
   std::string head;            ///< hash of event `lastEvent`, hexadecimal; empty: there is none
   std::string refused;         ///< why the batch was refused ("fork"); empty: it was stored
   std::string detail;

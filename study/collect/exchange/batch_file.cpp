@@ -214,7 +214,6 @@ ServerAnswer answerIn(const std::string& text) {
   }
   return {
       .lastEvent = said["have"].get<std::int64_t>(),
-      .pending = said.value("pending", std::int64_t{0}),
       .head = textOf("head"),
       .refused = textOf("refused"),
       .detail = textOf("detail"),
