@@ -46,9 +46,8 @@ std::vector<WeightedAnswer> countedAnswers(
     auto number = answerAsNumber(*item, answers);
     if (number) {
       ++result.answered;
-    } else if (score.missingAs) {
+    } else {
       number = score.missingAs;
-      ++result.replacedItems;
     }
     if (!number) continue;
     const double x = score.reverseByKey ? keyedNumber(*item, *number) : *number;

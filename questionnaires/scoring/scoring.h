@@ -14,7 +14,6 @@ struct ScoreResult {
   std::optional<double> value;
   std::string reason;        ///< why there is no value, as a sentence; empty if there is a value
   std::size_t answered = 0;  ///< number of answered items of the score
-  std::size_t replacedItems = 0;  ///< number of unanswered items whose answer is Score::missingAs
 };
 
 /// The value of @p score for @p answers: (aggregate of the keyed answers + offset) · factor, with
@@ -83,10 +82,8 @@ std::vector<Acceptability> acceptabilityOf(
 
 /// Whether one person's answers contradict each other, by the ConsistencyRule of the instrument.
 struct Consistency {
-  std::vector<std::string> contradictoryScores;  ///< ids of scores with contradictory answers to
-                                                 ///< their items
-  bool isSuspicious = false;  ///< whether at least ConsistencyRule::suspiciousFrom scores are
-                              ///< contradictory
+  std::vector<std::string> contradictoryScores;  ///< ids; their answers contradict each other
+  bool isSuspicious = false;  ///< they are ConsistencyRule::suspiciousFrom or more
   std::string warning;        ///< a sentence; empty if the answers are not suspicious
 };
 
