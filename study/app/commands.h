@@ -17,23 +17,10 @@ using Action = std::function<int()>;
 void addInstrumentCommands(CLI::App& program, Action& action);
 void addProtocolCommands(CLI::App& program, Action& action);
 void addStudyCommands(CLI::App& program, Action& action);
-void addConsentCommand(
-    CLI::App& parentCommand, Action& action);  // @p parentCommand is the command "study"
-void addErasureCommands(
-    CLI::App& parentCommand, Action& action);  // @p parentCommand is the command "study"
-void addProtocolTextsCommand(
-    CLI::App& parentCommand, Action& action);  // @p parentCommand is the command "protocol"
-void addEvidenceCommands(
-    CLI::App& parentCommand, Action& action);          // @p parentCommand is the command "study"
-void addKeyCommands(CLI::App& study, Action& action);  // for the command "study"
-void addStudyTextsCommand(
-    CLI::App& parentCommand, Action& action);  // @p parentCommand is the command "study"
 void addStatsCommands(CLI::App& program, Action& action);
 void addReportCommand(CLI::App& program, Action& action);
 void addExportCommand(CLI::App& program, Action& action);
 void addRecordingCommands(CLI::App& program, Action& action);
-void addCalibrateCommand(
-    CLI::App& parentCommand, Action& action);  // @p parentCommand is the command "recording"
 void addSceneCommands(CLI::App& program, Action& action);
 void addMaterialCommands(CLI::App& program, Action& action);
 void addPackingCommands(CLI::App& program, Action& action);
@@ -43,7 +30,14 @@ void addDeviceCommands(CLI::App& program, Action& action);
 void addDemoCommand(CLI::App& program, Action& action);
 void addPlanCommand(CLI::App& program, Action& action);
 
-/// The following functions add a subcommand to the command "stats".
+// These add subcommands to the command that their first parameter is named after.
+void addConsentCommand(CLI::App& study, Action& action);
+void addErasureCommands(CLI::App& study, Action& action);
+void addEvidenceCommands(CLI::App& study, Action& action);
+void addKeyCommands(CLI::App& study, Action& action);
+void addStudyTextsCommand(CLI::App& study, Action& action);
+void addProtocolTextsCommand(CLI::App& protocol, Action& action);
+void addCalibrateCommand(CLI::App& recording, Action& action);
 void addCheckTableCommand(CLI::App& stats, Action& action);
 void addTestCommand(CLI::App& stats, Action& action);
 

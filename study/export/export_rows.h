@@ -51,10 +51,8 @@ struct ExportedAnswer : ExportedStep {
   std::string band = {};  ///< replaces a number about the person; empty if the number itself is
                           ///< exported
   std::string_view labelLanguage = {};
-  std::string_view chosen = {};    ///< condition or condition code of the alternative that the
-                                   ///< response names
-  std::string_view excluded = {};  ///< why the statistics ignore the answer; empty if they include
-                                   ///< it
+  std::string_view chosen = {};    ///< condition, or its code, of the alternative that is named
+  std::string_view excluded = {};  ///< why statistics ignore the answer; empty: they do not
 };
 
 /// A row of trials.csv.

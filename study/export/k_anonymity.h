@@ -35,8 +35,7 @@ struct ClassSizes {
 /// The released values of one quasi-identifier.
 struct ReleasedColumn {
   std::string name;
-  std::optional<std::size_t> level;  ///< index in QuasiIdentifier::levels; std::nullopt: not
-                                     ///< released
+  std::optional<std::size_t> level;  ///< of QuasiIdentifier::levels; std::nullopt: not released
   Values values;                     ///< a value for each person
 };
 

@@ -20,8 +20,7 @@ Table<ExportedEvent> eventTable();
 
 /// The answers and scores of a participant about one alternative of a block.
 struct ExportedForms : ExportedStep {
-  std::map<std::string, Cell> cells;  ///< value of each question and score, by the name of its
-                                      ///< column
+  std::map<std::string, Cell> cells;  ///< of questions and scores, by the names of columns
 };
 /// One row per participant and alternative, with a column for each question and score: the layout
 /// of repeated measures in SPSS and jamovi. Only answers that the statistics include; no free

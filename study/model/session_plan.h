@@ -34,8 +34,7 @@ struct Step {
   std::string itemSet;
   int position = 0;              ///< Trial, Questionnaire: position in its block, from 1
   int label = 0;                 ///< Trial, Questionnaire: the label of the alternative, from 1
-  std::string condition;         ///< Trial, Questionnaire: the condition's id; never shown to
-                                 ///< participants
+  std::string condition;         ///< Trial, Questionnaire: its id; participants never see it
   bool isVisualised = false;     ///< Trial: whether the simulated scene is shown
   int minimumCuts = 0;           ///< Trial, Benchmark: smallest number of cuts or strokes
   bool isOptionalTrial = false;  ///< Trial: an optional repetition before a preference

@@ -16,14 +16,13 @@ namespace study {
 struct ViewReport {
   std::string renderer;  ///< the graphics card, driver or software renderer that drew
   std::int64_t frames = 0;
-  std::int64_t dropped = 0;  ///< refreshes, at the display's nominal rate, without a new picture
-  double rate = 0.0;         ///< from the first frame to the last [1/s]
-  double frameMedian = 0.0;  ///< median interval between frames [ms]
-  double frameP99 = 0.0;     ///< 99th percentile of these intervals [ms]
-  double latencyMedian =
-      0.0;                  ///< from reading the device to handing the picture to the display [ms]
-  double latencyP99 = 0.0;  ///< 99th percentile of that latency [ms]
-  double period = 0.0;      ///< nominal interval between frames [ms]
+  std::int64_t dropped = 0;    ///< refreshes, at the display's nominal rate, without a new picture
+  double rate = 0.0;           ///< from the first frame to the last [1/s]
+  double frameMedian = 0.0;    ///< median interval between frames [ms]
+  double frameP99 = 0.0;       ///< 99th percentile of these intervals [ms]
+  double latencyMedian = 0.0;  ///< from reading the device to the picture handed on [ms]
+  double latencyP99 = 0.0;     ///< 99th percentile of that latency [ms]
+  double period = 0.0;         ///< nominal interval between frames [ms]
   std::int64_t lostChanges = 0;  ///< updates of a reamed bone that were never drawn
 };
 
@@ -99,13 +98,11 @@ struct TrialRecord {
   std::optional<std::int64_t> hostPauses;  ///< late ticks that the host machine caused
   std::int64_t lostSamples = 0;            ///< samples dropped because the recorder's ring was full
   std::int64_t invalidTicks = 0;           ///< ticks in which the device gave no measurement
-  double saturated = 0.0;         ///< time in which the scene asked for more than the force
-                                  ///< limit [s]
-  double slewed = 0.0;            ///< time in which it asked for a faster change than the
-                                  ///< limit [s]
-  double undefined = 0.0;         ///< time in which the scene gave no force [s]
-  double contact = 0.0;           ///< time in which the force was more than 0.05 N [s]
-  double largestForce = 0.0;      ///< largest commanded force [N]
+  double saturated = 0.0;     ///< time in which more force was asked for than the limit [s]
+  double slewed = 0.0;        ///< time in which a faster change than the limit was asked for [s]
+  double undefined = 0.0;     ///< time in which the scene gave no force [s]
+  double contact = 0.0;       ///< time in which the force was more than 0.05 N [s]
+  double largestForce = 0.0;  ///< largest commanded force [N]
   std::int64_t traceSamples = 0;  ///< number of samples stored in traces.db
   std::vector<Cut> cuts;
   std::vector<SafetyEvent> safety;       ///< only the kinds that occurred
@@ -115,11 +112,9 @@ struct TrialRecord {
   haptics::devices::LinkReport link;     ///< statistics of the device's wire, if it has one
   bool hasTorque = false;                ///< the scene has a torque about the tool's axis
   bool isTorqueRendered = false;         ///< the device rendered that torque
-  double torqueSaturated = 0.0;          ///< time in which the scene asked for more than the torque
-                                         ///< limit [s]
+  double torqueSaturated = 0.0;          ///< `saturated` of the torque [s]
   double largestTorque = 0.0;            ///< largest commanded torque [N·m]
-  double leastRotationEnergy =
-      0.0;                  ///< smallest energy balance of the rotation during a contact [J]
+  double leastRotationEnergy = 0.0;      ///< leastEnergy of the rotation [J]
   std::string deviceFault;  ///< why the device ended the trial, a text for the operator; or empty
   std::optional<ViewReport> view;  ///< how smoothly the scene was shown, if it was
 

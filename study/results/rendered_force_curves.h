@@ -47,8 +47,7 @@ struct RenderedForceCurve {
 struct RenderedForceDifference {
   std::string condition1;
   std::string condition2;
-  double pooled = 0.0;                         ///< between the medians over all participants'
-                                               ///< strokes
+  double pooled = 0.0;                         ///< between the medians over everybody's strokes
   std::size_t participants = 0;                ///< number of participants with both conditions
   std::optional<double> mean;                  ///< mean of the differences within participants
   std::optional<analysis::Interval> interval;  ///< Student's 95 % interval of that mean

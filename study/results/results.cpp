@@ -375,8 +375,7 @@ class Computation {
   Records records_;
   AnalysisPlanHistory history_;
   std::set<std::string> sites_;
-  std::map<std::string, std::string> siteOf_;  ///< site of the participant's first session, by
-                                               ///< participant
+  std::map<std::string, std::string> siteOf_;  ///< of the first session, by participant
   std::map<SessionId, SessionRecord> sessions_;
   std::vector<AnswerRecord> answers_;
   std::vector<storage::StoredTrial> trials_;

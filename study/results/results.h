@@ -46,8 +46,7 @@ struct CohortResult {
   analysis::PairwiseComparisons comparisons;      ///< on pooled answers, as in the punch paper
   analysis::WithinAnalysis within;                ///< tests within participants
   analysis::ScaleChecks checks;                   ///< distribution and reliability
-  analysis::PositionEffect position;              ///< effect of the position of a condition in the
-                                                  ///< order
+  analysis::PositionEffect position;              ///< effect of a condition's place in the order
   std::vector<analysis::Flag> flags;              ///< notes on doubtful data and tests
   /// Results at each site and pooled over sites; std::nullopt for fewer than two sites.
   std::optional<analysis::SiteAnalysis> sites = std::nullopt;
@@ -95,8 +94,7 @@ enum class Profile {
 /// A kind of flag, and the cohorts for which it was raised.
 struct RaisedFlag {
   const analysis::Flag* flag = nullptr;  ///< of the first of these cohorts
-  std::vector<std::pair<std::string, const analysis::Flag*>> found;  ///< id of each cohort, and its
-                                                                     ///< flag
+  std::vector<std::pair<std::string, const analysis::Flag*>> found;  ///< by id of a cohort
 };
 
 /// The mean of all answers to the family about a condition; std::nullopt without answers.
@@ -117,8 +115,7 @@ struct VoteResult {
   std::string block;
   analysis::VoteCounts votes;  ///< by id of the chosen condition
   analysis::EqualSharesResult test;
-  std::vector<std::optional<analysis::Interval>> intervals;  ///< Wilson's 95 % interval of each
-                                                             ///< share
+  std::vector<std::optional<analysis::Interval>> intervals;  ///< Wilson's, 95 %, of each share
 };
 
 /// The results of a study for both profiles: tests on pooled answers as in the punch paper, and
@@ -134,8 +131,7 @@ struct Results {
   std::vector<FamilyResult> families;
   std::vector<VoteResult> votes;
   std::vector<VoteResult> siteVotes = {};      ///< of each site; empty for fewer than two sites
-  std::vector<InstrumentSummary> instruments;  ///< scores, thresholds and consistency of
-                                               ///< instruments
+  std::vector<InstrumentSummary> instruments;  ///< scores, thresholds, consistency
   ItemResults answers;                         ///< summaries of single items
   /// What later versions of the protocol changed in items, scores and conditions for participants
   /// who completed before.

@@ -16,11 +16,9 @@ namespace study {
 
 /// What a study plan is computed from, in addition to the protocol.
 struct StudyPlanOptions {
-  std::optional<std::uint64_t> participants;  ///< per cohort; std::nullopt: the numbers in the
-                                              ///< protocol
+  std::optional<std::uint64_t> participants;  ///< per cohort; std::nullopt: the protocol's
   double dz = 1.0;                            ///< the effect to detect: Cohen's d_z
-  std::optional<double> alpha;                ///< significance level; std::nullopt: that of the
-                                              ///< family
+  std::optional<double> alpha;                ///< significance level; std::nullopt: the family's
   double power = 0.8;                         ///< desired power
   std::uint64_t studies = 2000;               ///< number of simulated studies; 0: no simulation
   std::uint64_t seed = 1;                     ///< seed of the simulation
@@ -52,13 +50,11 @@ struct SiteDetectability {
 /// What a family of comparisons can detect with a number of participants.
 struct Detectability {
   std::uint64_t participants = 0;
-  analysis::AttainableP pair;  ///< smallest attainable p of an exact paired test (sign flip, signed
-                               ///< rank)
+  analysis::AttainableP pair;          ///< smallest p that an exact paired test can attain
   bool canPairsBeSignificant = false;  ///< whether this p is at most alphaPerTest
   /// Smallest attainable p of an exact Friedman test; for three or more conditions.
   std::optional<analysis::AttainableP> friedman;
-  std::optional<double> power;  ///< of a paired t-test for the requested effect; from two
-                                ///< participants
+  std::optional<double> power;  ///< of a paired t-test for the requested effect; n ≥ 2
   std::optional<analysis::SimulatedPower> found;  ///< simulated with the requested effect
   /// Simulated without an effect: the rate of false positives.
   std::optional<analysis::SimulatedPower> falsePositives;

@@ -17,8 +17,7 @@ struct FamilyChange {
   std::string family;  ///< its id
   std::string title;
   Kind kind = Kind::Changed;
-  std::vector<std::string_view> keys;  ///< Changed: the JSON keys of the protocol whose values
-                                       ///< changed
+  std::vector<std::string_view> keys;  ///< Changed: the JSON keys whose values changed
   std::string version;                 ///< of the protocol: its "version"
   std::string addedUtc;                ///< when that version was added to the study, ISO 8601
   /// Changed, Added: true if the family counts as declared nevertheless (see isDeclared()), because

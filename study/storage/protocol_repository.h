@@ -23,8 +23,7 @@ struct StoredProtocol {
   /// Whether copies of the library's forms were added later, because an older release had stored
   /// the protocol without them.
   bool areFormsAdded = false;
-  protocols::Defaults defaults = protocols::Defaults::Current;  ///< defaults of the release that
-                                                                ///< stored it
+  protocols::Defaults defaults = protocols::Defaults::Current;  ///< of the release that stored it
 };
 
 /// Whether @p stored and @p protocol have the same text and the same files, byte for byte.

@@ -12,8 +12,7 @@ namespace study::bench {
 
 /// The options of measureCollection().
 struct CollectBenchOptions {
-  std::filesystem::path folder;  ///< temporary folder for the stations' folders and the pulled
-                                 ///< study
+  std::filesystem::path folder;  ///< of the stations' folders and the pulled study; temporary
   std::int64_t answers = 1'000'000;
   int sites = 1000;
   int participants = 200;  ///< participants of the station that sends samples
