@@ -68,6 +68,7 @@ constexpr std::array<EventFacts, kKnownKinds> kFacts{
     EventFacts{"took_over", {"from {station}, process {process}, since {since}: {reason}"}},
     EventFacts{"clock_stepped", {"by {by_s:.6f} s; durations are not affected"}},
     EventFacts{"chose_language"},
+    EventFacts{"showed_forces"},
     EventFacts{"note"},
     EventFacts{"answered", {"{item}"}},
     EventFacts{"retracted"},

@@ -61,6 +61,8 @@ enum class EventKind {
   TookOver,      ///< the session was taken over from another computer, with the reason
   ClockStepped,  ///< the wall clock was changed during the session
   ChoseLanguage,
+  ShowedForces,  ///< the window showed the operator the forces of a blinded session, or hid them
+                 ///< again
   Note,
   Answered,
   Retracted,

@@ -189,6 +189,11 @@ class LimitationsWriter : HtmlWriter {
     if (const auto fewer = missingParticipantsInWords(); !fewer.empty()) {
       points.push_back(say("Fewer participants than planned") + ": " + fewer);
     }
+    const auto seen = say(
+        "The operator saw the forces, by which conditions can be told apart, in {} of {} sessions",
+        section_.sessionsWithForces,
+        section_.results.completed());
+    if (section_.sessionsWithForces > 0 && !section_.protocol.isOpenLabel) points.push_back(seen);
     const auto disclosed = disclosuresInWords(section_);
     const auto apart = say("A reader of the protocol could tell conditions apart by {}", disclosed);
     const auto cohorts = cohortsWithPeople();

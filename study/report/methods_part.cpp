@@ -196,12 +196,22 @@ class MethodsWriter : HtmlWriter {
     const auto open = say("The protocol declares that conditions are not hidden.");
     const auto hidden =
         say("Participants and operators saw labels only; no condition was named during a session.");
+    const auto seen =
+        say("Participants saw labels only; no condition was named during a session. In {} of {} "
+            "sessions the operator saw the forces, which differ between conditions.",
+            section_.sessionsWithForces,
+            section_.results.completed());
+    const auto participants =
+        say("Participants saw labels only; no condition was named during a session.");
+    const auto blinded = section_.sessionsWithForces > 0              ? seen
+                         : section_.results.runMode == RunMode::Pilot ? participants
+                                                                      : hidden;
     const auto disclosed = disclosuresInWords(section_);
     const auto but =
         say("But a reader of the protocol could tell conditions apart by {} (“Limitations”).",
             disclosed);
     if (section_.protocol.isOpenLabel) return open;
-    return disclosed.empty() ? hidden : hidden + " " + but;
+    return disclosed.empty() ? blinded : blinded + " " + but;
   }
 
   /// How many trials, strokes and answers of each condition count.

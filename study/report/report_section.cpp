@@ -98,6 +98,22 @@ std::pair<std::string, std::string> daysOf(Study& study, RunMode mode) {
   return days;
 }
 
+/// How many live sessions that count have shown the forces to their operator. Windows of release
+/// 0.1 always showed them, and did not record it.
+int sessionsWithForces(Study& study, RunMode mode) {
+  if (mode != RunMode::Live) return 0;
+  std::set<SessionId> shown;
+  for (const auto& event : study.events().read(EventKind::ShowedForces)) {
+    if (event.visit && event.detail != "off") shown.insert(event.visit->session);
+  }
+  const auto sessions = storage::Records(study.database()).sessions();
+  return static_cast<int>(std::ranges::count_if(sessions, [&](const auto& session) {
+    const bool isOfRelease01 = session.appVersion.starts_with("0.1.");
+    return session.runMode == mode && session.isCompleted() &&
+           (isOfRelease01 || shown.contains(session.id));
+  }));
+}
+
 using Coordinate = std::optional<double> storage::CutRecord::*;
 
 /// A landmark of a cut, as the column names call it.
@@ -384,6 +400,7 @@ ReportSection gatherResults(Study& study, RunMode mode, const words::Words& word
       .uuid = study.uuid(),
       .firstDay = std::move(firstDay),
       .lastDay = std::move(lastDay),
+      .sessionsWithForces = sessionsWithForces(study, mode),
       // Simulated sessions can be repeated from a seed and must then give the same report.
       .trail = mode == RunMode::Simulated ? storage::TrailEnd() : storage::endOf(study.database()),
       .commitment = mode == RunMode::Simulated ? std::string() : study.events().commitment(),

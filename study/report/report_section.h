@@ -99,6 +99,7 @@ struct ReportSection {
   std::string uuid;
   std::string firstDay = {};     ///< of the sessions that count [YYYY-MM-DD]; empty if none count
   std::string lastDay = {};      ///< of the sessions that count, by their beginning
+  int sessionsWithForces = 0;    ///< sessions that count whose operator saw the forces
   storage::TrailEnd trail = {};  ///< end of the audit trail when it was read; empty in simulated
                                  ///< sessions
   /// The commitment to the secret that determines orders and codes (BlindingSecret::commitment());

@@ -215,6 +215,11 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOverR
   return session;
 }
 
+bool Session::isBlinded() const noexcept {
+  const auto& protocol = protocol_->protocol;
+  return row_.runMode == RunMode::Live && !protocol.isOpenLabel && protocol.conditions.size() > 1;
+}
+
 bool Session::allows(SessionEvent event) const noexcept {
   return study::allows(row_.state, plan_, row_.step, event);
 }

@@ -54,6 +54,9 @@ class Session {
   const std::vector<Step>& plan() const noexcept { return plan_; }
   const protocols::LoadedProtocol& protocol() const noexcept { return *protocol_; }
 
+  /// Whether the operator must not know which alternative is which: in a live session of a study
+  /// that does not name its conditions.
+  bool isBlinded() const noexcept;
   bool isOver() const noexcept { return study::isOver(row_.state); }
   bool allows(SessionEvent event) const noexcept;
 
@@ -121,6 +124,8 @@ class Session {
   void note(const std::string& text);
   /// Appends to the audit trail that the reamer was switched on or off during a trial.
   void noteReamerSwitch(bool isOn);
+  /// Appends to the audit trail that the window shows the operator the forces, or hides them again.
+  void noteForcesShown(bool areShown);
   void setLanguage(const std::string& language);
 
  private:

@@ -224,6 +224,10 @@ void Session::noteReamerSwitch(bool isOn) {
       [&] { appendEvent(Actor::Participant, EventKind::SwitchedReamer, isOn ? "on" : "off"); });
 }
 
+void Session::noteForcesShown(bool areShown) {
+  transact([&] { appendEvent(Actor::Operator, EventKind::ShowedForces, areShown ? "on" : "off"); });
+}
+
 void Session::setLanguage(const std::string& language) {
   const auto& languages = protocol_->protocol.languages;
   require(!isOver(), "This session is over.");

@@ -59,6 +59,7 @@ constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {EventKind::TookOver, "took_over"},
     {EventKind::ClockStepped, "clock_stepped"},
     {EventKind::ChoseLanguage, "chose_language"},
+    {EventKind::ShowedForces, "showed_forces"},
     {EventKind::Note, "note"},
     {EventKind::Answered, "answered"},
     {EventKind::Retracted, "retracted"},

@@ -99,6 +99,18 @@ TEST(Methods, ClaimsNoBlindingThatTheDesignGivesAway) {
   EXPECT_TRUE(has(methodsOf(section), "saw labels only"));
 }
 
+TEST(Methods, SaysThatOperatorsSawTheForces) {
+  auto section = tests::madeUpSection();
+  section.results.runMode = study::RunMode::Live;
+  section.sessionsWithForces = 2;
+  const auto text = methodsOf(section);
+  EXPECT_FALSE(has(text, "Participants and operators saw labels only")) << text;
+  EXPECT_TRUE(has(text, " sessions the operator saw the forces, which differ between conditions."));
+  section.results.runMode = study::RunMode::Pilot;
+  section.sessionsWithForces = 0;
+  EXPECT_FALSE(has(methodsOf(section), "operators saw labels only")) << "pilots show the forces";
+}
+
 TEST(Methods, NamesEveryPartOfTheProcedureAndWhatHasNoSource) {
   auto section = tests::madeUpSection();
   const auto text = methodsOf(section);

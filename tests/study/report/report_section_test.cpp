@@ -36,6 +36,18 @@ TEST(ReportSection, CountsOptionalTrialsSeparately) {
   EXPECT_NE(page.find("Not among them: 1 time "), std::string::npos) << page;
 }
 
+TEST(ReportSection, CountsSessionsWhoseOperatorSawTheForces) {
+  tests::MadeStudy study;
+  for (const bool areShown : {false, true}) {
+    auto session = Session::enrol(*study, {.cohort = "surgeons"});
+    if (areShown) session.noteForcesShown(true);
+    session.noteForcesShown(false);
+    tests::walkToTheEnd(session);
+  }
+  EXPECT_EQ(gatherResults(*study, RunMode::Live).sessionsWithForces, 1);
+  EXPECT_EQ(gatherResults(*study, RunMode::Pilot).sessionsWithForces, 0);
+}
+
 TEST(ReportSection, CountsTrialsByTheirVerdicts) {
   auto protocol = tests::shortProtocol();  // open: what is sealed cannot be changed here
   protocol.insert(protocol.find(R"("languages")"), R"("blinding": "open", )");
