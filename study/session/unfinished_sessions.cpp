@@ -29,13 +29,13 @@ std::optional<std::string> choiceFor(SessionState state, SessionEvent event) {
       return isBroken ? "Skip the trial together with its questions."
                       : "Skip the step that it is in.";
     case SessionEvent::GaveUpOnDevice:
-      return "Device failed: end it; its place is free again.";
+      return "Device failed: end it.";
     case SessionEvent::ResumedSession:
       return "End the pause and go on.";
     case SessionEvent::Withdrew:
-      return "Withdrawal: end it because the participant wants to; its place is free again.";
+      return "Participant withdraws: end it because the participant wants to.";
     case SessionEvent::WasRejected:
-      return "Reject: end it for a reason that you give; its place is free again.";
+      return "Reject session: end it for a reason that you give.";
     default:
       return std::nullopt;
   }
@@ -107,7 +107,8 @@ std::string whatHappened(const UnfinishedSession& session) {
   if (session.isOpenElsewhere()) return "It is open in another window.";
   switch (session.state) {
     case SessionState::Enrolled:
-      return "Its place is reserved; consent has not been given.";
+      return session.runMode == RunMode::Live ? "Its place is reserved; consent has not been given."
+                                              : "Consent has not been given.";
     case SessionState::InTrial:
       return "The program ended while something was being felt. What was felt until then is kept; "
              "when you go on, the trial counts as broken off, and nothing is felt before you have "

@@ -44,7 +44,9 @@ SelfTestDialog::SelfTestDialog(SelfTestOptions options, QWidget* parent)
       quietLabel(tr("Checks devices, timing, saving and screens in a few seconds."), this));
   layout->addWidget(quietLabel(where, this));
   layout->addWidget(outcome_);
-  layout->addWidget(table_, 1);
+  constexpr int kAlmostAll = 1000;  // the table takes what its rows need, and the rest is empty
+  layout->addWidget(table_, kAlmostAll);
+  layout->addStretch(1);
   layout->addLayout(buttons);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   connect(beginButton_, &QPushButton::clicked, this, &SelfTestDialog::test);

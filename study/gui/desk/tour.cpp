@@ -13,7 +13,6 @@
 #include <QShowEvent>
 #include <QVBoxLayout>
 
-#include "haptics/models/interpolation.h"
 #include "protocols/load_protocol.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/travel_plot.h"
@@ -174,7 +173,7 @@ QWidget* Tour::makeTrialDemonstration() {
       picture,
       step);
   disableMnemonics(*trialPage_);
-  plot_ = new LivePlot(step, LivePlot::Arrangement::Stacked);
+  plot_ = new LivePlot(step);
   // Both fill the available space and request none.
   constexpr int kLeastHeight = 180;  // [px]
   for (QWidget* drawn : {static_cast<QWidget*>(picture), static_cast<QWidget*>(plot_)}) {
@@ -194,10 +193,8 @@ QWidget* Tour::makeTrialDemonstration() {
   columns->addLayout(drawings, 2);
   auto* layout = withoutMargins<QVBoxLayout>(step);
   layout->addWidget(quietLabel(
-      tr("With a device your fingers would feel the force; here it is only drawn. It is computed a "
-         "thousand times a second, as in a study. It drops where the tissue gives way, and is "
-         "flat at %1 N, to which the published code limits it.")
-          .arg(haptics::models::Interpolation<double>::kAuthorsMaxForce),
+      tr("Watch the force drop where the tissue gives way. With a device your fingers would feel "
+         "it; here it is only drawn."),
       step));
   layout->addLayout(columns, 1);
   connect(trialPage_, &TrialPage::beginRequested, this, &Tour::begin);
@@ -280,13 +277,13 @@ void Tour::goTo(int step) {
   if (punch_.isRunning()) endTrial();
   if (step == kTourSteps - 1) showRecord();
   steps_->setCurrentIndex(step);
+  next_->show();
   stepCount_->setText(tr("Step %1 of %2").arg(step + 1).arg(kTourSteps));
   heading_->setText(deskText(kHeadings[step]));
-  back_->setEnabled(step > 0);
-  next_->setText(
-      step == 0 && !trialRecord_ ? tr("Skip")
-      : step + 1 < kTourSteps    ? tr("Next")
-                                 : tr("Begin with a study"));
+  back_->setVisible(step > 0);
+  const bool isSkipped = step == 0 && !trialRecord_;
+  const bool isLast = step + 1 == kTourSteps;
+  next_->setText(isSkipped ? tr("Skip") : isLast ? tr("Begin with a study") : tr("Next"));
   // In the first step the button of the participant's page is the one to press.
   setRole(*next_, step > 0 ? "main" : "");
 }
@@ -306,7 +303,12 @@ void Tour::showTrialState() {
     travelPlot_->add(sample);
   }
   plot_->refresh();
-  trialPage_->setCuts(punch_.status().cuts);
+  const int cuts = punch_.status().cuts;
+  trialPage_->setCuts(cuts);
+  if (cuts == 0) return;
+  // "Done" on the page is the way on now, and how a cut is made is known.
+  next_->hide();
+  trialPage_->findChild<QLabel*>(QStringLiteral("pointer-hint"))->hide();
 }
 
 void Tour::endTrial() {

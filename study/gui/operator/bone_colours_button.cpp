@@ -29,11 +29,9 @@ bool isBoneVisualised(const protocols::Protocol& protocol) {
 }  // namespace
 
 QString reasonForNoColours(const Session& session) {
-  const auto& protocol = session.protocol().protocol;
-  const bool areLabelsDrawn = protocol.labels.policy != protocols::LabelPolicy::Condition;
-  const bool isDoubleBlind =
-      areLabelsDrawn && protocol.conditions.size() > 1 && session.runMode() == RunMode::Live;
-  if (!isDoubleBlind) return {};
+  const bool areLabelsDrawn =
+      session.protocol().protocol.labels.policy != protocols::LabelPolicy::Condition;
+  if (!session.isBlinded() || !areLabelsDrawn) return {};
   return BoneColoursButton::tr(
       "This study is double-blind: which alternative is which is hidden from you as well, and the "
       "bone's colours could tell. In a pilot session they can be seen.");

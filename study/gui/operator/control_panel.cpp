@@ -1,5 +1,9 @@
 #include "study/gui/operator/control_panel.h"
 
+#include <algorithm>
+#include <array>
+
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "study/gui/session/session_controller.h"
@@ -24,9 +28,11 @@ MessageTopic topicInState(MessageTopic topic, const Session& session) {
 QStringList argumentsOf(MessageTopic topic, const Session& session) {
   if (topic != MessageTopic::RepeatStep) return {};
   const int step = session.stepToRepeat();
-  return {
-      QString::number(step + 1),
-      describe(session.plan()[static_cast<std::size_t>(step)], session.protocol().protocol.labels)};
+  auto name =
+      describe(session.plan()[static_cast<std::size_t>(step)], session.protocol().protocol.labels);
+  const auto space = name.lastIndexOf(u' ');  // "Alternative 2" stays in one line
+  if (space >= 0) name[space] = QChar::Nbsp;
+  return {QString::number(step + 1), name};
 }
 
 }  // namespace
@@ -36,6 +42,7 @@ ControlPanel::ControlPanel(QWidget* parent)
       participantLabel_(headingLabel({}, this)),
       cohort_(quietLabel({}, this)),
       stop_(new QPushButton(tr("STOP the force"), this)),
+      state_(new StateLine(this)),
       resume_(new QPushButton(tr("Continue"), this)),
       interviewDone_(new QPushButton(tr("Interview done"), this)),
       countCut_(new QPushButton(tr("Count a cut (F9)"), this)),
@@ -59,6 +66,7 @@ ControlPanel::ControlPanel(QWidget* parent)
   layout->addWidget(participantLabel_);
   layout->addWidget(cohort_);
   layout->addWidget(stop_);
+  layout->addWidget(state_);
   auto* scroll = scrolled(makeButtons(), this);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   layout->addWidget(scroll, 1);
@@ -68,7 +76,8 @@ ControlPanel::ControlPanel(QWidget* parent)
 
 QWidget* ControlPanel::makeButtons() {
   auto* inside = new QWidget(this);
-  auto* layout = withoutMargins<QVBoxLayout>(inside, 8);
+  buttons_ = withoutMargins<QVBoxLayout>(inside, 8);
+  buttons_->addWidget(note_);
   const auto repeat =
       add(tr("Repeat…"),
           SessionEvent::RepeatedStep,
@@ -81,51 +90,45 @@ QWidget* ControlPanel::makeButtons() {
           SessionEvent::PausedSession,
           MessageTopic::PauseSession,
           &SessionController::pause);
-  auto* now = addGroup(*layout, tr("Now"), {{repeat, skip}, {pause_, interviewDone_}});
-  resume_->setProperty("role", QStringLiteral("tool"));
-  now->insertWidget(0, resume_, 1);  // in place of "Pause…": one of them is shown
-  countCut_->setProperty("role", QStringLiteral("tool"));
   countCut_->setToolTip(tr("The participant has made a cut with the real instrument"));
-  countCut_->setFocusPolicy(Qt::TabFocus);  // as for the button that it replaces
-  now->addWidget(countCut_, 1);
-  layout->addWidget(note_);
-  addGroup(*layout, tr("Session"), {{handOver_, consent_, close_}});
-  endingButtons_ = {
-      add(tr("Withdrawal…"),
+  // One of "Pause…" and "Continue" is shown, and at most one of the other two.
+  now_ = addGroup(tr("Now"), {{pause_, resume_, interviewDone_, countCut_}, {repeat, skip}});
+  addGroup(tr("Session"), {{handOver_, consent_}, {close_}});
+  const auto withdraw =
+      add(tr("Participant withdraws…"),
           SessionEvent::Withdrew,
           MessageTopic::Withdrawal,
-          &SessionController::withdraw,
-          tr("The participant withdraws: the session ends")),
-      add(tr("Reject…"),
+          &SessionController::withdraw);
+  const auto reject =
+      add(tr("Reject session…"),
           SessionEvent::WasRejected,
           MessageTopic::Rejection,
           &SessionController::reject,
-          tr("This session does not count: it ends")),
+          tr("This session does not count: it ends"));
+  const auto fail =
       add(tr("Device failed…"),
           SessionEvent::GaveUpOnDevice,
           MessageTopic::DeviceFailure,
           &SessionController::giveUpOnDevice,
-          tr("The device cannot go on: the session ends"))};
-  addGroup(*layout, tr("Ends the session"), {endingButtons_});
+          tr("The device cannot go on: the session ends"));
+  ends_ = addGroup({}, {{withdraw}, {reject, fail}});
   constexpr int kTwoNotes = 76;  // [px]
   notes_->setMinimumHeight(kTwoNotes);
-  layout->addWidget(notes_, 2);
-  layout->addStretch(1);
+  buttons_->addWidget(notes_, 2);
+  buttons_->addStretch(1);
   return inside;
 }
 
 /// A heading, and buttons row by row below it.
-/// @return the last row.
-QHBoxLayout* ControlPanel::addGroup(
-    QVBoxLayout& layout, const QString& title, const std::vector<std::vector<QPushButton*>>& rows) {
+/// @return the heading.
+QLabel* ControlPanel::addGroup(
+    const QString& title, const std::vector<std::vector<QPushButton*>>& rows) {
   auto* heading = quietLabel(title, this);
-  if (nowHeading_ == nullptr) nowHeading_ = heading;  // of the first group
-  layout.addWidget(heading);
-  QHBoxLayout* line = nullptr;
+  buttons_->addWidget(heading);
   for (const auto& row : rows) {
-    line = new QHBoxLayout;
+    auto* line = new QHBoxLayout;
     line->setSpacing(8);
-    layout.addLayout(line);
+    buttons_->addLayout(line);
     for (auto* button : row) {
       button->setProperty("role", QStringLiteral("tool"));
       button->setAccessibleDescription(title);
@@ -134,7 +137,12 @@ QHBoxLayout* ControlPanel::addGroup(
       line->addWidget(button, 1);
     }
   }
-  return line;
+  return heading;
+}
+
+void ControlPanel::takeSteps(QWidget& steps) {
+  constexpr int kAlmostAll = 1000;  // of the space that the buttons leave
+  buttons_->addWidget(&steps, kAlmostAll);
 }
 
 void ControlPanel::connectButtons() {
@@ -161,7 +169,8 @@ QPushButton* ControlPanel::add(
     Perform action,
     const QString& help) {
   auto* button = new QPushButton(text, this);
-  choices_.push_back({button, event, help});
+  button->setToolTip(help);
+  choices_.push_back({button, event});
   connect(button, &QPushButton::clicked, this, [this, action, topic] {
     performWithReason(action, topic);
   });
@@ -215,50 +224,52 @@ void ControlPanel::setController(SessionController* controller) {
   if (controller_ != nullptr) note_->setFocus();
 }
 
+/// Whether the operator may do it now. What ends a session may be done in a running trial, too: it
+/// stops the trial first (performWithReason()).
+bool ControlPanel::mayDo(SessionEvent event) const {
+  if (controller_ == nullptr) return false;
+  const auto& session = controller_->session();
+  if (!controller_->isTrialRunning()) return session.allows(event);
+  constexpr std::array kEndings{
+      SessionEvent::Withdrew, SessionEvent::WasRejected, SessionEvent::GaveUpOnDevice};
+  return std::ranges::find(kEndings, event) != kEndings.end();
+}
+
 void ControlPanel::refresh() {
   showParticipant();
+  state_->showState(controller_);
   const bool isOpen = controller_ != nullptr;
   const bool isRunning = isOpen && controller_->isTrialRunning();
   stop_->setEnabled(isRunning);
-  nowHeading_->setText(isRunning ? tr("Possible once this trial has ended:") : tr("Now"));
-  for (const auto& choice : choices_) {
-    // During a trial only stopping and withdrawing are possible.
-    const bool isAllowed = isOpen && controller_->session().allows(choice.event);
-    const bool isEnabled = isAllowed && (!isRunning || choice.event == SessionEvent::Withdrew);
-    choice.button->setEnabled(isEnabled);
-    choice.button->setToolTip(isEnabled || !isOpen ? choice.help : whyNot(choice.event, isRunning));
-  }
-  const bool isPaused = isOpen && controller_->session().allows(SessionEvent::ResumedSession);
-  const bool isInterview = isOpen && !controller_->session().isOver() &&
-                           controller_->session().step().kind == StepKind::Interview &&
-                           controller_->session().allows(SessionEvent::FinishedStep);
+  for (const auto& choice : choices_) choice.button->setVisible(mayDo(choice.event));
+  const bool isPaused = mayDo(SessionEvent::ResumedSession);
+  const bool mayFinish = mayDo(SessionEvent::FinishedStep);
+  const auto kind = mayFinish ? controller_->session().step().kind : StepKind::Reading;
   resume_->setVisible(isPaused);
-  pause_->setVisible(!isPaused);
-  const bool isBenchmark = isOpen && !controller_->session().isOver() &&
-                           controller_->session().step().kind == StepKind::Benchmark &&
-                           controller_->session().allows(SessionEvent::FinishedStep);
-  interviewDone_->setEnabled(isInterview);
-  interviewDone_->setVisible(!isBenchmark);
-  countCut_->setVisible(isBenchmark);
+  interviewDone_->setVisible(mayFinish && kind == StepKind::Interview);
+  countCut_->setVisible(mayFinish && kind == StepKind::Benchmark);
+  const bool isInSteps =
+      isPaused || mayDo(SessionEvent::PausedSession) || mayDo(SessionEvent::SkippedStep);
+  now_->setVisible(isRunning || isInSteps);
+  now_->setText(
+      isRunning ? tr("To repeat, skip or pause, STOP first or wait for the trial's end.")
+                : tr("Now"));
+  const bool mayEnd = mayDo(SessionEvent::Withdrew);
+  ends_->setVisible(mayEnd);
+  ends_->setText(isRunning ? tr("Stops the force and ends the session") : tr("Ends the session"));
   note_->setEnabled(isOpen);
   handOver_->setEnabled(isOpen);
-  consent_->setEnabled(isOpen && !isRunning);
-  close_->setEnabled(isOpen && !isRunning);
+  consent_->setVisible(isOpen && !isRunning);
+  close_->setVisible(isOpen && !isRunning);
   keepFocusOffButtons();
 }
 
-/// Why @p event is not possible now.
-QString ControlPanel::whyNot(SessionEvent event, bool isRunning) {
-  if (isRunning) return tr("Not while a trial is running");
-  if (event == SessionEvent::GaveUpOnDevice)
-    return tr("Only before a trial, or after one broke off");
-  if (event == SessionEvent::SkippedStep || event == SessionEvent::RepeatedStep)
-    return tr("Not possible in this step");
-  return tr("Not possible in this state of the session");
+void ControlPanel::updateTrial() {
+  if (controller_ != nullptr && controller_->isTrialRunning()) state_->showCount(*controller_);
 }
 
-/// A disabled button passes its focus to the next one, which may end the session. Moves it
-/// elsewhere.
+/// A button that is hidden or disabled passes its focus to the next one, which may end the session.
+/// Moves it elsewhere.
 void ControlPanel::keepFocusOffButtons() {
   const auto* focused = window()->focusWidget();
   const bool isOnAButton = qobject_cast<const QPushButton*>(focused) != nullptr;

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -10,6 +9,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 
+#include "study/gui/operator/state_line.h"
 #include "study/gui/widgets/messages.h"
 #include "study/model/session_state.h"
 
@@ -17,8 +17,9 @@ namespace study::gui {
 
 class SessionController;
 
-/// The operator's buttons. Each is enabled only while the session allows its action, and each
-/// exceptional action asks for a reason. The stop button stays visible on low screens.
+/// The operator's buttons, with the state of the session. A button is shown only while the session
+/// allows its action, and each exceptional action asks for a reason. The stop button, the state and
+/// the count stay visible on low screens.
 class ControlPanel final : public QWidget {
   Q_OBJECT
 
@@ -28,6 +29,10 @@ class ControlPanel final : public QWidget {
   /// Shows @p controller's session; nullptr: no session is open.
   void setController(SessionController* controller);
   void refresh();
+  /// Shows how far the running trial is.
+  void updateTrial();
+  /// Puts @p steps below the buttons.
+  void takeSteps(QWidget& steps);
   QPushButton* stopButton() const noexcept { return stop_; }
 
  signals:
@@ -40,19 +45,16 @@ class ControlPanel final : public QWidget {
 
  private:
   using Perform = void (SessionController::*)(const QString& reason);
-  /// @param help  the tool tip while the button is enabled
+  /// @param help  the tool tip
   QPushButton* add(
       const QString& text,
       SessionEvent event,
       MessageTopic topic,
       Perform action,
       const QString& help = {});
-  static QString whyNot(SessionEvent event, bool isRunning);
   QWidget* makeButtons();
-  QHBoxLayout* addGroup(
-      QVBoxLayout& layout,
-      const QString& title,
-      const std::vector<std::vector<QPushButton*>>& rows);
+  QLabel* addGroup(const QString& title, const std::vector<std::vector<QPushButton*>>& rows);
+  bool mayDo(SessionEvent event) const;
   void keepFocusOffButtons();
   void connectButtons();
   void showParticipant();
@@ -63,14 +65,16 @@ class ControlPanel final : public QWidget {
   struct SessionAction {
     QPushButton* button;
     SessionEvent event;
-    QString help;
   };
 
   SessionController* controller_ = nullptr;
   QLabel* participantLabel_;
   QLabel* cohort_;
-  QLabel* nowHeading_ = nullptr;  ///< the heading of what can be done now
   QPushButton* stop_;
+  StateLine* state_;
+  QLabel* now_ = nullptr;   ///< the heading of what can be done now
+  QLabel* ends_ = nullptr;  ///< the heading of what ends the session
+  QVBoxLayout* buttons_ = nullptr;
   QPushButton* pause_ = nullptr;
   QPushButton* resume_;
   QPushButton* interviewDone_;
@@ -81,7 +85,6 @@ class ControlPanel final : public QWidget {
   QLineEdit* note_;
   QListWidget* notes_;
   std::vector<SessionAction> choices_;
-  std::vector<QPushButton*> endingButtons_;  ///< end the session
 };
 
 }  // namespace study::gui

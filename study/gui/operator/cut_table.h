@@ -9,9 +9,8 @@
 
 namespace study::gui {
 
-/// The strokes of a running trial: cuts of a punch with their landmarks, or strokes of a reamer
-/// with depth and time. Each landmark of a cut appears as soon as it is detected, and its force and
-/// travel once the cut is complete.
+/// The complete strokes of a running trial: cuts of a punch with force and travel at each landmark,
+/// or strokes of a reamer with depth and time.
 class CutTable final : public QTableWidget {
   Q_OBJECT
 
@@ -25,7 +24,9 @@ class CutTable final : public QTableWidget {
  private:
   void writeHeads(bool isCut);
   void write(int column, const QString& words);
+  void write(int column, const haptics::engine::CutDetector::Landmark& landmark);
 
+  QStringList titles_;  ///< of the landmarks, one for each pair of columns
   haptics::engine::CutDetector detector_;
   double rate_ = 1000.0;
   TravelScale travel_;

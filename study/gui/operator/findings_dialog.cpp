@@ -20,22 +20,30 @@ FindingsDialog::FindingsDialog(
     Question asks,
     const CheckAgain& checkAgain,
     QWidget* parent)
-    : QDialog(parent), table_(new FindingsTable(this)), start_(new QPushButton(this)) {
+    : QDialog(parent),
+      verdict_(new QLabel(this)),
+      consequences_(new QWidget(this)),
+      table_(new FindingsTable(this)),
+      start_(new QPushButton(this)) {
   const bool isQuestion = asks == Question::StartDespiteFailures;
   setWindowTitle(isQuestion ? tr("Before the session") : tr("Devices"));
-  auto* layout = new QVBoxLayout(this);
-  auto* words = addBoxWords(
-      *layout,
-      isQuestion ? MessageRow::Kind::Question : MessageRow::Kind::Information,
-      {},
-      isQuestion
-          ? QStringList(tr("The handle may jerk; trials may break off, and are marked. Nothing is "
-                           "saved yet."))
-          : QStringList(tr("A check saves nothing.")),
-      *this);
-  verdict_ = qobject_cast<QLabel*>(words->itemAt(0)->widget());
+  auto* layout = withMargins<QVBoxLayout>(this, {20, 18, 20, 16}, 16);
   verdict_->setObjectName(QStringLiteral("verdict"));
-  consequences_ = words->itemAt(1)->widget();
+  verdict_->setWordWrap(true);
+  layout->addWidget(verdict_);
+  layout->addWidget(consequences_);
+  auto* words = new QVBoxLayout(consequences_);
+  if (isQuestion) {
+    addBoxWords(
+        *words,
+        MessageRow::Kind::Question,
+        tr("Start the session all the same?"),
+        {tr("The handle may jerk; trials may break off, and are marked. Nothing is saved yet.")},
+        *consequences_);
+  } else {
+    words->addWidget(quietLabel(tr("A check saves nothing."), consequences_));
+  }
+  words->setContentsMargins(0, 0, 0, 0);
   table_->setFocusPolicy(Qt::NoFocus);
   auto* close = new QPushButton(isQuestion ? tr("Do not start") : tr("Close"), this);
   close->setDefault(true);
@@ -51,7 +59,9 @@ FindingsDialog::FindingsDialog(
   connect(again, &QPushButton::clicked, this, [this, checkAgain] { show(checkAgain()); });
   connect(start_, &QPushButton::clicked, this, &QDialog::accept);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
-  layout->addWidget(table_, 1);
+  constexpr int kAlmostAll = 1000;  // the table takes what its rows need, and the rest is empty
+  layout->addWidget(table_, kAlmostAll);
+  layout->addStretch(1);
   layout->addLayout(buttons);
   resizeOnScreen(*this, {1000, 520});
   close->setFocus();
@@ -77,7 +87,7 @@ void FindingsDialog::show(const std::vector<PartFindings>& found) {
       : !isBad ? tr("✓  All checks passed.")
       : start_->isHidden()
           ? tr("✕  Checks that failed: %1. Fix what is marked \"✕\", then check again.").arg(failed)
-          : tr("Start the session although checks failed (%1)?").arg(failed));
+          : tr("✕  Checks that failed: %1.").arg(failed));
   consequences_->setVisible(isBad || start_->isHidden());
   start_->setText(isBad ? tr("Start anyway") : tr("Start"));
 }

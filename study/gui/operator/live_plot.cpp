@@ -26,47 +26,38 @@ void LivePlot::Slice::add(double time, double value) {
   isEmpty = false;
 }
 
-LivePlot::LivePlot(QWidget* parent, Arrangement arrangement)
-    : QWidget(parent), plot_(new QCustomPlot(this)), arrangement_(arrangement) {
+LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setNotAntialiasedElements(QCP::aeAll);
   plot_->setAccessibleName(tr("Force over time"));
-  auto* speed = plot_->axisRect()->addAxis(QCPAxis::atRight);
+  auto* below = new QCPAxisRect(plot_);
+  auto* time = below->axis(QCPAxis::atBottom);
   auto* torque = plot_->axisRect()->addAxis(QCPAxis::atLeft);
-  for (auto* axis : {plot_->yAxis, plot_->yAxis2, speed, torque}) {
-    plot_->addGraph(plot_->xAxis, axis);
-    axis->setVisible(true);
-  }
-  plot_->xAxis->setLabel(tr("time [s]"));
+  plot_->addGraph(plot_->xAxis, plot_->yAxis);
+  plot_->addGraph(time, below->axis(QCPAxis::atLeft));
+  plot_->addGraph(plot_->xAxis, torque);
+  plot_->xAxis->setTickLabels(false);
+  time->setLabel(tr("time [s]"));
   plot_->yAxis->setLabel(tr("force [N]"));
   torque->setLabel(tr("torque [N·m]"));
-  if (arrangement_ == Arrangement::Stacked) stack();
+  stack(*below);
   setMinimumHeight(150);
   applyThemeColours();
   begin(*haptics::deviceKinds().front(), 1000.0);
 }
 
-/// Moves the travel to axes of its own below those of the force, with the same width.
-void LivePlot::stack() {
-  auto* below = new QCPAxisRect(plot_);
+/// Puts the travel's axes below those of the force, with the same width.
+void LivePlot::stack(QCPAxisRect& below) {
   auto* margins = new QCPMarginGroup(plot_);
   auto* rows = plot_->plotLayout();
-  auto* time = below->axis(QCPAxis::atBottom);
-  auto* travel = below->axis(QCPAxis::atLeft);
-  plot_->graph(1)->setKeyAxis(time);
-  plot_->graph(1)->setValueAxis(travel);
-  plot_->yAxis2->setVisible(false);
-  plot_->xAxis->setLabel({});
-  plot_->xAxis->setTickLabels(false);
-  time->setLabel(tr("time [s]"));
-  rows->addElement(1, 0, below);
+  rows->addElement(1, 0, &below);
   rows->setRowSpacing(14);
   rows->setRowStretchFactors({1.4, 1.0});
   constexpr int kNumbers = 4;
-  for (auto* rect : {plot_->axisRect(), below}) {
+  for (auto* rect : {plot_->axisRect(), &below}) {
     constexpr QMargins kLeast(0, 8, 12, 0);  // [px]
     rect->setMinimumMargins(kLeast);
     rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
@@ -81,8 +72,7 @@ void LivePlot::showTime(double from, double to) {
 void LivePlot::applyThemeColours() {
   const auto& colours = themeOf(*this);
   paintAxes(*plot_, colours, {plot_->xAxis, plot_->graph(1)->keyAxis()});
-  const std::array<QColor, 4> channels{
-      colours.force, colours.travel, colours.quiet, colours.torque};
+  const std::array<QColor, 3> channels{colours.force, colours.travel, colours.torque};
   for (std::size_t i = 0; i < channels.size(); ++i) {
     auto* graph = plot_->graph(static_cast<int>(i));
     graph->setPen(QPen(channels[i], 1));
@@ -97,15 +87,6 @@ void LivePlot::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-/// Hides the velocity where a third axis would leave too little space for the curves.
-void LivePlot::resizeEvent(QResizeEvent* event) {
-  constexpr int kRoomForTheVelocity = 560;  // [px]
-  const bool isWide = arrangement_ == Arrangement::Shared && width() >= kRoomForTheVelocity;
-  plot_->graph(2)->setVisible(isWide);
-  plot_->graph(2)->valueAxis()->setVisible(isWide);
-  QWidget::resizeEvent(event);
-}
-
 void LivePlot::begin(const haptics::devices::DeviceKind& device, double rate) {
   for (int i = 0; i < plot_->graphCount(); ++i) plot_->graph(i)->data()->clear();
   slices_ = {};
@@ -114,19 +95,16 @@ void LivePlot::begin(const haptics::devices::DeviceKind& device, double rate) {
   lastTime_ = 0.0;
   showTime(0.0, kFirst);
   // The range of a normal hand movement. Larger values extend the axis.
-  auto* speed = plot_->graph(2)->valueAxis();
   plot_->yAxis->setRange(0.0, device.plot.force);
   auto* position = plot_->graph(1)->valueAxis();
   position->setRange(0.0, device.plot.travel);
-  speed->setRange(-device.plot.velocity, device.plot.velocity);
   const bool hasTorque = device.plot.torque > 0.0;
-  plot_->graph(3)->setVisible(hasTorque);
-  plot_->graph(3)->valueAxis()->setVisible(hasTorque);
-  if (hasTorque) plot_->graph(3)->valueAxis()->setRange(-device.plot.torque, device.plot.torque);
+  plot_->graph(2)->setVisible(hasTorque);
+  plot_->graph(2)->valueAxis()->setVisible(hasTorque);
+  if (hasTorque) plot_->graph(2)->valueAxis()->setRange(-device.plot.torque, device.plot.torque);
   const auto travel = travelScaleOf(device);
   scale_ = travel.factor;
   position->setLabel(tr("travel [%1]").arg(travel.unit));
-  speed->setLabel(tr("velocity [%1]").arg(travel.velocityUnit));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -138,8 +116,7 @@ void LivePlot::add(const haptics::engine::TickSample& sample) {
   slice_ = slice;
   slices_[0].add(time, sample.force);
   slices_[1].add(time, scale_ * sample.travel);
-  slices_[2].add(time, scale_ * sample.velocity);
-  slices_[3].add(time, sample.torque);
+  slices_[2].add(time, sample.torque);
   lastTime_ = time;
 }
 

@@ -20,6 +20,7 @@
 #include "study/gui/operator/enrolment_check.h"
 #include "study/gui/operator/page_mirror.h"
 #include "study/gui/operator/sessions_page.h"
+#include "study/gui/operator/timeline_table.h"
 #include "study/gui/operator/trial_panel.h"
 #include "study/gui/operator/window_geometries.h"
 #include "study/gui/participant/questionnaire_page.h"
@@ -74,6 +75,7 @@ void OperatorWindow::makeContents() {
   sessions_ = new SessionsPage(study_, push_, this);
   controls_ = new ControlPanel(this);
   trial_ = new TrialPanel(this);
+  steps_ = new TimelineTable(this);
   devices_ = new DevicePanel(study_.protocol().protocol, *deviceSet_, this);
   if (devices_->usesVirtualDevices()) sessions_->offerPilot();
   delete mirror_;  // a separate window, which is not among the contents
@@ -115,6 +117,10 @@ void OperatorWindow::makeMenus() {
   mirror->setCheckable(true);
   mirror->setObjectName(QStringLiteral("show-mirror"));
   connect(mirror, &QAction::toggled, mirror_, &QWidget::setVisible);
+  forces_ = view->addAction(tr("&Force curves"));
+  forces_->setCheckable(true);
+  forces_->setObjectName(QStringLiteral("show-forces"));
+  connect(forces_, &QAction::triggered, this, &OperatorWindow::switchForces);
   view->addAction(tr("&Windows side by side"), this, &OperatorWindow::tile);
   auto* help = menuBar()->addMenu(tr("&Help"));
   // The application shows help on F1, for whatever has the focus.
@@ -141,6 +147,7 @@ QWidget* OperatorWindow::makeSession() {
   columns_->addWidget(controls_);
   sessionPages_->addWidget(trial_);
   columns_->addWidget(scrolled(sessionPages_, page), 1);
+  showForces(true);
   return page;
 }
 
@@ -156,17 +163,20 @@ void OperatorWindow::arrange() {
   constexpr int kAround = 60;  // [px]: margins and scroll bar
   head_->setMinimumHeight(head_->layout()->totalHeightForWidth(width() - kAround));
   constexpr int kRoomForTwo = 900;  // [px]
-  constexpr int kControlsWidth = 470;
+  constexpr int kLeastControls = 345;
+  constexpr int kMostControls = 470;
+  const int controls = std::clamp(width() * 33 / 100, kLeastControls, kMostControls);
   constexpr int kHeightOfEach = 420;  // above one another
   const bool isWide = width() >= kRoomForTwo;
   columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-  controls_->setMinimumWidth(isWide ? kControlsWidth : 0);
-  controls_->setMaximumWidth(isWide ? kControlsWidth : QWIDGETSIZE_MAX);
+  controls_->setMinimumWidth(isWide ? controls : 0);
+  controls_->setMaximumWidth(isWide ? controls : QWIDGETSIZE_MAX);
   controls_->setMinimumHeight(isWide ? 0 : kHeightOfEach);
   sessionPages_->parentWidget()->parentWidget()->setMinimumHeight(isWide ? 0 : kHeightOfEach);
 }
 
 void OperatorWindow::connectPanels() {
+  connect(sessions_, &SessionsPage::closeRequested, this, &QWidget::close);
   connect(sessions_, &SessionsPage::enrolRequested, this, &OperatorWindow::enrolAfterChecks);
   connect(
       sessions_,
@@ -252,6 +262,7 @@ void OperatorWindow::begin(Session session) {
   controls_->setController(controller_.get());
   mirror_->setPage(participant_.get(), controller_->session().participant());
   languages_->menuAction()->setEnabled(false);  // until the session's end
+  showForces(!controller_->session().isBlinded());
   pages_->setCurrentIndex(1);
   // Until they were shown, the buttons had not the theme's margins, and asked for more room.
   for (auto* button : controls_->findChildren<QPushButton*>()) button->updateGeometry();
@@ -263,6 +274,7 @@ void OperatorWindow::followSession() {
   const auto* session = controller_.get();
   connect(session, &SessionController::stepChanged, this, &OperatorWindow::updateAll);
   connect(session, &SessionController::trialChanged, trial_, &TrialPanel::updateTrial);
+  connect(session, &SessionController::trialChanged, controls_, &ControlPanel::updateTrial);
   connect(session, &SessionController::languageChanged, this, &OperatorWindow::useSessionLanguage);
   connect(session, &SessionController::failed, this, &OperatorWindow::showError);
   connect(session, &SessionController::aboutToLeave, this, [this] {
@@ -358,8 +370,25 @@ void OperatorWindow::useSessionLanguage() {
   translator_.speak(controller_->session().language());
 }
 
+/// On the operator's request. In a blinded session it is asked and noted first.
+void OperatorWindow::switchForces(bool areShown) {
+  const bool isBlinded = controller_ && controller_->session().isBlinded();
+  bool isDone = true;
+  if (isBlinded && areShown) isDone = ask(this, MessageTopic::ShowForces);
+  if (isBlinded && isDone) isDone = controller_ && controller_->noteForcesShown(areShown);
+  showForces(isDone ? areShown : !areShown);
+}
+
+/// Shows the forces, with the steps of the session below the buttons, or the steps in their place.
+void OperatorWindow::showForces(bool areShown) {
+  forces_->setChecked(areShown);
+  trial_->showForces(areShown);
+  areShown ? controls_->takeSteps(*steps_) : trial_->takeSteps(*steps_);
+}
+
 void OperatorWindow::updateAll() {
-  trial_->updateSteps();
+  steps_->show(controller_.get());
+  trial_->updateStep();
   stopKey_.setArmed(controller_->isTrialRunning());
   devices_->setBusy(controller_->isTrialRunning());
   controls_->refresh();
@@ -403,6 +432,7 @@ void OperatorWindow::endSession() {
   if (!controller_->savePendingAnswers() && !ask(this, MessageTopic::CloseWithLoss)) return;
   trial_->setController(nullptr);
   controls_->setController(nullptr);
+  steps_->show(nullptr);
   mirror_->setPage(nullptr);
   participant_->allowClosing();
   participant_->close();

@@ -25,6 +25,7 @@ class ControlPanel;
 class SessionsPage;
 class DevicePanel;
 class PageMirror;
+class TimelineTable;
 class TrialPanel;
 
 /// The operator's window: the list of sessions, the state of the running session, the state of the
@@ -87,6 +88,8 @@ class OperatorWindow final : public QMainWindow {
   void removeInterview();
   void endSession();
   void updateAll();
+  void switchForces(bool areShown);
+  void showForces(bool areShown);
   void useSessionLanguage();
 
   Study& study_;
@@ -110,6 +113,8 @@ class OperatorWindow final : public QMainWindow {
   SessionsPage* sessions_ = nullptr;
   ControlPanel* controls_ = nullptr;
   TrialPanel* trial_ = nullptr;
+  TimelineTable* steps_ = nullptr;
+  QAction* forces_ = nullptr;  ///< whether the operator sees the forces
   DevicePanel* devices_ = nullptr;
   PageMirror* mirror_ = nullptr;
 };

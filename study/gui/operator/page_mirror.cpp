@@ -11,27 +11,21 @@ constexpr int kPictureInterval = 1000;  // [ms]
 
 }  // namespace
 
-PageMirror::PageMirror(QWidget* parent)
-    : QWidget(parent, Qt::Tool), picture_(new QLabel(this)), heading_(bodyLabel({}, this)) {
-  setWindowTitle(tr("Participant's page"));
+PageMirror::PageMirror(QWidget* parent) : QWidget(parent, Qt::Tool), picture_(new QLabel(this)) {
   setObjectName(QStringLiteral("mirror"));
   setAttribute(Qt::WA_ShowWithoutActivating);
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
-  picture_->setAccessibleName(windowTitle());
-  auto* layout = withMargins<QVBoxLayout>(this, {8, 6, 8, 8});
-  heading_->setProperty("role", QStringLiteral("section"));
-  layout->addWidget(heading_);
-  layout->addWidget(picture_, 1);
+  picture_->setAccessibleName(tr("Participant's page"));
+  withoutMargins<QVBoxLayout>(this)->addWidget(picture_);
   setPage(nullptr);
-  resize(640, 440);
   connect(&timer_, &QTimer::timeout, this, &PageMirror::refreshPicture);
 }
 
 void PageMirror::setPage(QWidget* page, const std::string& participant) {
   page_ = page;
   const auto what = tr("Participant's screen (view only)");
-  heading_->setText(
+  setWindowTitle(
       page == nullptr ? what : QString::fromStdString(participant) + QStringLiteral(" · ") + what);
   refreshPicture();
 }
@@ -43,7 +37,16 @@ void PageMirror::refreshPicture() {
       page_->grab().scaled(picture_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
 }
 
+/// As wide and high as the page, so that its words are as large as they can be.
 void PageMirror::showEvent(QShowEvent* event) {
+  constexpr QSize kMost(860, 760);
+  constexpr QSize kEmpty(640, 360);
+  if (!event->spontaneous()) {
+    resize(
+        page_ == nullptr
+            ? kEmpty
+            : page_->size().scaled(kMost.boundedTo(page_->size()), Qt::KeepAspectRatio));
+  }
   QWidget::showEvent(event);
   timer_.start(kPictureInterval);
   refreshPicture();

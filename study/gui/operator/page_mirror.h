@@ -29,7 +29,6 @@ class PageMirror final : public QWidget {
 
   QPointer<QWidget> page_;
   QLabel* picture_;
-  QLabel* heading_;
   QTimer timer_;
 };
 

@@ -88,8 +88,6 @@ ServoPanel::ServoPanel(QWidget* parent)
   words_->setWordWrap(true);
   layout->addWidget(words_, 3);
   layout->addWidget(bars_, 2);
-  words_->setToolTip(
-      tr("Energy of the current contact; it restarts when the tool leaves the surface"));
   bars_->setToolTip(tr("Ticks by how late they began [µs]; heights are logarithmic"));
   begin(*haptics::deviceKinds().front(), 0.0);
 }
@@ -104,6 +102,11 @@ void ServoPanel::begin(const haptics::devices::DeviceKind& device, double rate) 
   refresh();
 }
 
+void ServoPanel::showForces(bool areShown) {
+  areForcesShown_ = areShown;
+  refresh();
+}
+
 void ServoPanel::refresh() {
   if (sinceRate_.elapsed() >= 1000) {
     const double seconds = static_cast<double>(sinceRate_.restart()) / 1000.0;
@@ -111,22 +114,26 @@ void ServoPanel::refresh() {
     ticksBefore_ = health_.ticks();
   }
   const QString priority = isRealtime_ ? tr("real-time priority") : tr("ordinary priority");
-  const QString lines = tr("Rate: %1 of %2 Hz, %11\n"
-                           "Delay: median %3, 99 % within %4, largest %5 µs\n"
-                           "Force at its limit: %6 % of the time\n"
-                           "No measurement: %7 % of the ticks\n"
-                           "Energy of the contact: %8 %10, least %9 %10")
-                            .arg(rate_ > 0.0 ? QString::number(rate_, 'f', 0) : QStringLiteral("—"))
-                            .arg(nominalRate_, 0, 'f', 0)
-                            .arg(health_.lateness(0.5), 0, 'f', 0)
-                            .arg(health_.lateness(0.99), 0, 'f', 0)
-                            .arg(health_.largestLateness(), 0, 'f', 0)
-                            .arg(100.0 * health_.saturatedShare(), 0, 'f', 1)
-                            .arg(100.0 * health_.invalidShare(), 0, 'f', 1)
-                            .arg(health_.energy(), 0, 'f', 2)
-                            .arg(health_.leastEnergy(), 0, 'f', 2)
-                            .arg(energyUnit_)
-                            .arg(priority);
+  QString lines = tr("Rate: %1 of %2 Hz, %7\n"
+                     "Delay: median %3, 99 % within %4, largest %5 µs\n"
+                     "No measurement: %6 % of the ticks")
+                      .arg(rate_ > 0.0 ? QString::number(rate_, 'f', 0) : QStringLiteral("—"))
+                      .arg(nominalRate_, 0, 'f', 0)
+                      .arg(health_.lateness(0.5), 0, 'f', 0)
+                      .arg(health_.lateness(0.99), 0, 'f', 0)
+                      .arg(health_.largestLateness(), 0, 'f', 0)
+                      .arg(100.0 * health_.invalidShare(), 0, 'f', 1)
+                      .arg(priority);
+  const QString forces = tr("Force at its limit: %1 % of the time\n"
+                            "Energy of the contact: %2 %4, least %3 %4")
+                             .arg(100.0 * health_.saturatedShare(), 0, 'f', 1)
+                             .arg(health_.energy(), 0, 'f', 2)
+                             .arg(health_.leastEnergy(), 0, 'f', 2)
+                             .arg(energyUnit_);
+  if (areForcesShown_) lines += u'\n' + forces;
+  const auto energy =
+      tr("Energy of the current contact; it restarts when the tool leaves the surface");
+  words_->setToolTip(areForcesShown_ ? energy : QString());
   showTimingStatus();
   showLimits();
   words_->setText(health_.ticks() == 0 ? tr("Nothing is felt just now.") : lines);
@@ -161,7 +168,7 @@ void ServoPanel::showTimingStatus() {
 /// asked for.
 void ServoPanel::showLimits() {
   QStringList words;
-  if (health_.saturatedTicks() > 0)
+  if (areForcesShown_ && health_.saturatedTicks() > 0)
     words << tr("▲ Force at its limit: %1 updates").arg(health_.saturatedTicks());
   if (health_.leaps() > 0)
     words << tr("▲ Leaps of the position: %1, check the encoder's cable").arg(health_.leaps());

@@ -24,6 +24,8 @@ class ServoPanel final : public QWidget {
   void add(const haptics::engine::TickSample& sample) { health_.add(sample); }
   /// Sets whether the loop has real-time priority.
   void setPriority(bool isRealtime) { isRealtime_ = isRealtime; }
+  /// Shows what tells how large the force is, too, or leaves it out.
+  void showForces(bool areShown);
   /// Shows the samples that were added.
   void refresh();
 
@@ -41,6 +43,7 @@ class ServoPanel final : public QWidget {
   double rate_ = 0.0;  ///< over the last second [Hz]
   QElapsedTimer sinceRate_;
   bool isRealtime_ = false;
+  bool areForcesShown_ = true;
   QLabel* timingLabel_;
   QLabel* limitLabel_;  ///< what is not about timing: forces at their limit, leaps of the position
   QPushButton* details_;

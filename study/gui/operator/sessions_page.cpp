@@ -34,9 +34,11 @@ SessionsPage::SessionsPage(Study& study, StationPush& push, QWidget* parent)
       cohort_(new QComboBox(this)),
       mode_(new QComboBox(this)),
       language_(new QComboBox(this)),
-      actions_(new QHBoxLayout),
+      actions_(new QGridLayout),
+      code_(bodyLabel({}, this)),
       enrol_(new QPushButton(tr("New participant"), this)),
       resume_(new QPushButton(tr("Continue session"), this)),
+      resumeLine_(quietLabel(tr("What was answered in it is still there."), this)),
       arrived_(bodyLabel({}, this)),
       send_(new QPushButton(tr("Send now"), this)) {
   columns_->setContentsMargins(0, 0, 0, 0);
@@ -96,24 +98,43 @@ QWidget* SessionsPage::makeList() {
 
   auto* list = new QWidget(this);
   auto* layout = withoutMargins<QVBoxLayout>(list);
-  layout->addWidget(headingLabel(tr("Sessions"), list));
+  auto* head = new QHBoxLayout;
+  head->addWidget(headingLabel(tr("Sessions"), list), 1);
+  auto* close = new QPushButton(tr("Close study"), list);
+  close->setProperty("role", QStringLiteral("tool"));
+  connect(close, &QPushButton::clicked, this, &SessionsPage::closeRequested);
+  head->addWidget(close);
+  layout->addLayout(head);
   constexpr int kTableStretch = 1000;  // the table takes what its rows need, and the rest is empty
   layout->addWidget(table_, kTableStretch);
   layout->addWidget(details_);
-  actions_->addWidget(resume_);
-  const auto add = [&](const QString& words, SessionEvent event, MessageTopic topic, End end) {
+  addAction(*resume_, *resumeLine_);
+  const auto add = [&](const QString& words,
+                       const QString& what,
+                       SessionEvent event,
+                       MessageTopic topic,
+                       End end) {
     auto* button = new QPushButton(words, list);
-    actions_->addWidget(button);
-    endings_.push_back({button, event});
+    endings_.push_back({button, quietLabel(what, list), event});
+    addAction(*button, *endings_.back().line);
     connect(button, &QPushButton::clicked, this, [=, this] { endSelected(topic, end); });
   };
-  add(tr("Withdrawal…"), SessionEvent::Withdrew, MessageTopic::Withdrawal, &Session::withdraw);
-  add(tr("Reject…"), SessionEvent::WasRejected, MessageTopic::Rejection, &Session::reject);
+  add(tr("Participant withdraws…"),
+      tr("Ends it because the participant wants to."),
+      SessionEvent::Withdrew,
+      MessageTopic::Withdrawal,
+      &Session::withdraw);
+  add(tr("Reject session…"),
+      tr("Ends it for a reason that you give."),
+      SessionEvent::WasRejected,
+      MessageTopic::Rejection,
+      &Session::reject);
   add(tr("Device failed…"),
+      tr("Ends it because its device cannot go on."),
       SessionEvent::GaveUpOnDevice,
       MessageTopic::DeviceFailure,
       &Session::giveUpOnDevice);
-  actions_->addStretch(1);
+  actions_->setColumnStretch(1, 1);
   layout->addLayout(actions_);
   arrived_->setObjectName(QStringLiteral("arrived"));
   send_->setObjectName(QStringLiteral("send"));
@@ -124,6 +145,13 @@ QWidget* SessionsPage::makeList() {
   layout->addLayout(collecting);
   layout->addStretch(1);
   return list;
+}
+
+void SessionsPage::addAction(QPushButton& button, QLabel& line) {
+  button.setAccessibleDescription(line.text());
+  const int row = actions_->rowCount();
+  actions_->addWidget(&button, row, 0);
+  actions_->addWidget(&line, row, 1);
 }
 
 QWidget* SessionsPage::makeEnrolment() {
@@ -154,7 +182,10 @@ QWidget* SessionsPage::makeEnrolment() {
     form->addRow(words, box);
   }
   layout->addLayout(form);
+  code_->setObjectName(QStringLiteral("next-code"));
+  layout->addWidget(code_);
   layout->addWidget(enrol_);
+  connect(mode_, &QComboBox::currentIndexChanged, this, &SessionsPage::showNextCode);
   layout->addStretch(1);
   return card;
 }
@@ -210,21 +241,14 @@ void SessionsPage::setMinimumHeights() {
   const bool isBeside = columns_->direction() == QBoxLayout::LeftToRight;
   const int besides = isBeside ? card->maximumWidth() + columns_->spacing() : 0;
   const int width = this->width() - besides;
-  // The page is as wide as its actions need, so the window says how wide it may be.
-  constexpr int kAround = 60;  // [px]: margins and scroll bar
-  fitActions(std::min(width, window()->width() - kAround - besides));
   list->setMinimumHeight(list->layout()->totalHeightForWidth(width));
 }
 
-/// Arranges the actions beside each other if @p width has room for them, else below each other.
-void SessionsPage::fitActions(int width) {
-  int needed = resume_->sizeHint().width();
-  for (const auto& ending : endings_) {
-    if (!ending.button->isHidden()) {
-      needed += actions_->spacing() + ending.button->sizeHint().width();
-    }
-  }
-  actions_->setDirection(needed <= width ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+/// The code that the next participant gets.
+void SessionsPage::showNextCode() {
+  const auto mode = static_cast<RunMode>(mode_->currentData().toInt());
+  const auto code = study_.sessions().freeCode(mode, study_.station().label);
+  code_->setText(tr("Code: %1").arg(QString::fromStdString(code)));
 }
 
 void SessionsPage::refresh() {
@@ -239,6 +263,7 @@ void SessionsPage::refresh() {
     fillTable(sessions, protocol);
     fillCohorts(sessions, protocol);
     showPush();
+    showNextCode();
   });
   fitColumns();
   // Selects the latest unfinished session, because it should be continued first.
@@ -339,7 +364,8 @@ void SessionsPage::showSelected() {
   resume_->setText(isTakenOver ? tr("Take over session…") : tr("Continue session"));
   setRole(*resume_, resume_->isEnabled() ? "main" : "");
   setRole(*enrol_, unfinished_.empty() ? "main" : "");
-  for (const auto& [button, event] : endings_) {
+  resumeLine_->setVisible(resume_->isEnabled());
+  for (const auto& [button, line, event] : endings_) {
     const auto state = one == nullptr ? SessionState::Completed : one->state;
     // A trial that was running counts as broken off when its session is opened.
     const auto found = state == SessionState::InTrial ? SessionState::Interrupted : state;
@@ -348,6 +374,7 @@ void SessionsPage::showSelected() {
     const bool isItsStep =
         event != SessionEvent::GaveUpOnDevice || (isPossible && one->at.kind == StepKind::Trial);
     button->setVisible(isPossible && isItsStep);
+    line->setVisible(isPossible && isItsStep);
   }
   if (one == nullptr) {
     details_->setText(
@@ -357,8 +384,9 @@ void SessionsPage::showSelected() {
     return;
   }
   QString words = describeUnfinished(*one);
+  // Otherwise the buttons below say what can be done.
   for (const auto& choice : one->choices) {
-    words += QStringLiteral("\n•  ") + deskText(choice);
+    if (one->isOpenElsewhere()) words += QStringLiteral("\n•  ") + deskText(choice);
   }
   details_->setText(words);
   setMinimumHeights();

@@ -6,6 +6,7 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
@@ -40,6 +41,7 @@ class SessionsPage final : public QWidget {
   /// @param takeOver  the reason for taking the session over from a computer that is gone; empty:
   /// no takeover.
   void resumeRequested(qlonglong session, const QString& takeOver);
+  void closeRequested();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -51,12 +53,13 @@ class SessionsPage final : public QWidget {
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
   void chooseUsualLanguage();
   void setMinimumHeights();
-  void fitActions(int width);
   void fitColumns();
   void showPush();
   void fillCohorts(
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
   void showSelected();
+  void showNextCode();
+  void addAction(QPushButton& button, QLabel& line);
   void resumeSession(const UnfinishedSession& session);
   using End = void (Session::*)(const std::string& reason);
   void endSelected(MessageTopic topic, End end);
@@ -73,11 +76,14 @@ class SessionsPage final : public QWidget {
   QComboBox* cohort_;
   QComboBox* mode_;
   QComboBox* language_;
-  QBoxLayout* actions_;  ///< on the selected session: in one row if they fit
+  QGridLayout* actions_;  ///< on the selected session, each with a line beside it
+  QLabel* code_;          ///< of the next participant
   QPushButton* enrol_;
   QPushButton* resume_;
+  QLabel* resumeLine_;
   struct Ending {
     QPushButton* button;
+    QLabel* line;
     SessionEvent event;
   };
   std::vector<Ending> endings_;  ///< end the selected session

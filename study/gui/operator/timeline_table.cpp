@@ -49,6 +49,10 @@ TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
   setSelectionMode(QAbstractItemView::NoSelection);
   makeReadOnly(*this);
   setFocusPolicy(Qt::NoFocus);
+  constexpr int kThreeSteps = 130;  // [px]
+  setMinimumHeight(kThreeSteps);
+  // The hint is too large for a low screen.
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
 }
 
 void TimelineTable::resizeEvent(QResizeEvent* event) {
@@ -56,6 +60,8 @@ void TimelineTable::resizeEvent(QResizeEvent* event) {
   constexpr int kRoomForTheAttempts = 480;
   setColumnHidden(2, event->size().width() < kRoomForTheKind);
   setColumnHidden(3, event->size().width() < kRoomForTheAttempts);
+  // The step's name needs more room than its status, which wraps.
+  setColumnWidth(4, std::min(widthOfStatus(), event->size().width() * 35 / 100));
   QTableWidget::resizeEvent(event);
   resizeRowsToContents();  // a narrow column wraps the names of steps
 }
@@ -64,13 +70,8 @@ void TimelineTable::resizeEvent(QResizeEvent* event) {
 int TimelineTable::widthOfStatus() const {
   auto bold = font();
   bold.setBold(true);
-  int widest = 0;
-  for (const auto& words :
-       {tr("to be repeated"),
-        tr("broken off"),
-        tr("✖ broke off"),
-        tr("‖ paused"),
-        tr("● running")}) {
+  int widest = 0;  // "to be repeated" is wrapped
+  for (const auto& words : {tr("broken off"), tr("✖ broke off"), tr("‖ paused"), tr("● running")}) {
     widest = std::max(widest, QFontMetrics(bold).horizontalAdvance(words));
   }
   constexpr int kAround = 16;  // [px]
@@ -90,7 +91,6 @@ void TimelineTable::show(const SessionController* controller) {
   }
   constexpr int kBolder = 8;  // [px] of the current step's number
   if (isNew) setColumnWidth(0, columnWidth(0) + kBolder);
-  if (isNew) setColumnWidth(4, widthOfStatus());
   if (isNew) resizeRowsToContents();
   const int now = controller->session().stepIndex();
   if (now < steps) scrollToItem(item(now, 1), QAbstractItemView::PositionAtCenter);

@@ -7,12 +7,7 @@ namespace study::gui {
 
 TravelScale travelScaleOf(const haptics::devices::DeviceKind& device) {
   const auto& shown = device.shown;
-  return {
-      shown.factor,
-      deskText(shown.unit),
-      asText(shown.suffix),
-      asText(shown.velocityUnit),
-      deskText(shown.energyUnit)};
+  return {shown.factor, deskText(shown.unit), asText(shown.suffix), deskText(shown.energyUnit)};
 }
 
 }  // namespace study::gui

@@ -11,11 +11,9 @@
 #include "study/gui/operator/cut_table.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/servo_panel.h"
-#include "study/gui/operator/timeline_table.h"
 #include "study/gui/operator/travel_plot.h"
 #include "study/gui/operator/travel_scale.h"
 #include "study/gui/session/trial_view.h"
-#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 
 namespace study::gui {
@@ -34,48 +32,60 @@ QString shownNumber(double value) {
 
 TrialPanel::TrialPanel(QWidget* parent)
     : QWidget(parent),
-      steps_(new TimelineTable(this)),
-      health_(new QLabel(this)),
-      cutCount_(headingLabel({}, this)),
       numbers_(quietLabel({}, this)),
       boneColours_(new BoneColoursButton(this)),
+      plots_(new QHBoxLayout),
       plot_(new LivePlot(this)),
       travel_(new TravelPlot(this)),
       servo_(new ServoPanel(this)),
       cuts_(new CutTable(this)) {
-  cutCount_->setWordWrap(false);
-  health_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  health_->setMinimumHeight(36);
-  constexpr int kThreeCuts = 122;  // [px]
-  constexpr int kFiveCuts = 180;
+  constexpr int kThreeCuts = 150;  // [px]
+  constexpr int kFiveCuts = 210;
   cuts_->setMinimumHeight(kThreeCuts);
   cuts_->setMaximumHeight(kFiveCuts);
-  constexpr int kFiveSteps = 190;  // [px]
-  steps_->setMinimumHeight(kFiveSteps);
   // These take all free space and ignore their size hints, which are too large for a low
   // screen.
-  const std::array<QWidget*, 4> flexibleWidgets{steps_, plot_, travel_, cuts_};
+  const std::array<QWidget*, 3> flexibleWidgets{plot_, travel_, cuts_};
   for (auto* widget : flexibleWidgets) {
     widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   }
 
   auto* layout = withoutMargins<QVBoxLayout>(this);
-  layout->addWidget(steps_, 2);
-  auto* numbers = new QHBoxLayout;
-  numbers->addWidget(health_, 1);
-  numbers->addWidget(cutCount_);
-  layout->addLayout(numbers);
-  auto* below = new QHBoxLayout;
-  below->addWidget(numbers_, 1);
-  below->addWidget(boneColours_);
-  layout->addLayout(below);
-  auto* plots = new QHBoxLayout;
-  plots->addWidget(plot_, 3);
-  plots->addWidget(travel_, 3);
-  layout->addLayout(plots, 7);
+  auto* above = new QHBoxLayout;
+  above->addWidget(numbers_, 1);
+  above->addWidget(boneColours_);
+  layout->addLayout(above);
+  plots_->addWidget(plot_, 3);
+  plots_->addWidget(travel_, 2);
+  layout->addLayout(plots_, 7);
   layout->addWidget(servo_);
   layout->addWidget(cuts_, 1);
   setController(nullptr);
+}
+
+/// Puts the two plots beside each other, or in a narrow panel above one another.
+void TrialPanel::resizeEvent(QResizeEvent* event) {
+  constexpr int kRoomForTwo = 700;  // [px]
+  const bool isWide = width() >= kRoomForTwo;
+  plots_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  QWidget::resizeEvent(event);
+}
+
+void TrialPanel::showForces(bool areShown) {
+  areForcesShown_ = areShown;
+  for (QWidget* each :
+       {static_cast<QWidget*>(plot_),
+        static_cast<QWidget*>(travel_),
+        static_cast<QWidget*>(cuts_)}) {
+    each->setVisible(areShown);
+  }
+  servo_->showForces(areShown);
+  showNumbers();
+}
+
+void TrialPanel::takeSteps(QWidget& steps) {
+  constexpr int kAlone = 1000;  // nothing else takes free space while the forces are hidden
+  static_cast<QBoxLayout*>(layout())->addWidget(&steps, kAlone);
 }
 
 void TrialPanel::setController(SessionController* controller) {
@@ -88,29 +98,35 @@ void TrialPanel::setController(SessionController* controller) {
   const bool isFelt = devices != nullptr && !devices->empty();
   clearTrial(isFelt ? *devices->front().kind : *haptics::deviceKinds().front(), kNominalRate);
   boneColours_->setController(controller);
-  updateSteps();
+  updateStep();
 }
 
 void TrialPanel::closeBoneWindow() {
   boneColours_->closeWindow();
 }
 
-void TrialPanel::showHealth(const QString& words, Health health) {
-  const char* const roles[] = {"good", "resting", "bad"};
-  health_->setText(words);
-  setRole(*health_, roles[static_cast<int>(health)]);
-}
-
-void TrialPanel::updateSteps() {
-  cutCount_->hide();
-  numbers_->clear();
-  steps_->show(controller_);
+void TrialPanel::updateStep() {
   const bool isRunning = controller_ != nullptr && controller_->isTrialRunning();
   if (isRunning && !wasRunning_) beginTrial();
   wasRunning_ = isRunning;
   if (!isRunning) clearBeforeNextTrial();
   boneColours_->refresh();
-  showState();
+  showNumbers();
+}
+
+/// The force and the travel of now, or that they are hidden.
+void TrialPanel::showNumbers() {
+  const auto hidden =
+      tr("Force curves are hidden: they tell conditions apart (View, Force curves).");
+  const bool isRunning = controller_ != nullptr && controller_->isTrialRunning();
+  if (!isRunning) return numbers_->setText(areForcesShown_ ? QString() : hidden);
+  const auto status = controller_->trialStatus();
+  const auto scale = travelScaleOf(controller_->deviceKind());
+  const auto shown = tr("Force %1 N · travel %2 %3")
+                         .arg(shownNumber(status.force))
+                         .arg(shownNumber(scale.factor * status.travel))
+                         .arg(scale.unit);
+  numbers_->setText((areForcesShown_ ? shown : hidden) + viewInWords(*controller_));
 }
 
 void TrialPanel::clearTrial(const haptics::devices::DeviceKind& device, double rate) {
@@ -132,48 +148,9 @@ void TrialPanel::clearBeforeNextTrial() {
   if (isNext) clearTrial(controller_->deviceKind(), kNominalRate);
 }
 
-void TrialPanel::showState() {
-  if (controller_ == nullptr) {
-    showHealth(tr("no session"), Health::NoForce);
-    return;
-  }
-  const QString device = controller_->deviceName();
-  const auto& session = controller_->session();
-  if (session.isOver()) {
-    showHealth(tr("this session is over: %1").arg(statusInWords(session.state())), Health::NoForce);
-  } else if (session.state() == SessionState::Paused) {
-    showHealth(tr("‖ paused: no force"), Health::NoForce);
-  } else if (session.state() == SessionState::Interrupted) {
-    showHealth(tr("✖ trial broke off: no force"), Health::Bad);
-  } else if (wasRunning_) {
-    const bool isReamer = controller_->deviceKind().tissue == haptics::devices::Tissue::Bone;
-    showHealth(
-        isReamer ? tr("● %1: running · R: reamer off and on").arg(device)
-                 : tr("● %1: running").arg(device),
-        Health::Good);
-  } else {
-    showHealth(
-        device.isEmpty() ? tr("no device needed now") : tr("%1: no force yet").arg(device),
-        Health::NoForce);
-  }
-}
-
 void TrialPanel::updateTrial() {
   if (controller_ == nullptr || !controller_->isTrialRunning()) return;
-  const auto status = controller_->trialStatus();
-  const auto& kind = controller_->deviceKind();
-  const auto scale = travelScaleOf(kind);
-  const int asked = controller_->session().step().minimumCuts;
-  cutCount_->show();
-  const auto counted = status.cuts > asked ? tr("%1 %3 (at least %2)") : tr("%1 of %2 %3");
-  cutCount_->setText(
-      counted.arg(status.cuts).arg(asked).arg(asText(kind.strokesName.in(deskLanguage()))));
-  numbers_->setText(
-      tr("Force %1 N · travel %2 %3")
-          .arg(shownNumber(status.force))
-          .arg(shownNumber(scale.factor * status.travel))
-          .arg(scale.unit) +
-      viewInWords(*controller_));
+  showNumbers();
   boneColours_->refresh();
   haptics::engine::TickSample sample;
   while (controller_->nextToPlot(sample)) {
@@ -182,9 +159,9 @@ void TrialPanel::updateTrial() {
     servo_->add(sample);
     cuts_->add(sample);
   }
-  plot_->refresh();
-  travel_->refresh();
-  servo_->setPriority(status.isRealtime);
+  if (areForcesShown_) plot_->refresh();
+  if (areForcesShown_) travel_->refresh();
+  servo_->setPriority(controller_->trialStatus().isRealtime);
   servo_->refresh();
 }
 

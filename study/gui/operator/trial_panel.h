@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QBoxLayout>
 #include <QLabel>
 #include <QWidget>
 
@@ -11,11 +12,10 @@ class BoneColoursButton;
 class CutTable;
 class LivePlot;
 class ServoPanel;
-class TimelineTable;
 class TravelPlot;
 
-/// The steps of the session and the running trial: force, position, velocity, cuts and timing. The
-/// status label is green while a trial runs, and red after one broke off.
+/// The running trial: its timing and, unless they are hidden, its forces over time and travel and
+/// the landmarks of its cuts. Forces tell conditions apart, so a blinded session hides them.
 class TrialPanel final : public QWidget {
   Q_OBJECT
 
@@ -25,37 +25,38 @@ class TrialPanel final : public QWidget {
   /// Shows @p controller's session; nullptr: no session is open. The controller must live until the
   /// next call.
   void setController(SessionController* controller);
-  /// Updates the table after a change of step.
-  void updateSteps();
+  /// Follows a change of step.
+  void updateStep();
   /// Shows new samples of the running trial.
   void updateTrial();
+  /// Shows everything that tells how large the force is, or hides it.
+  void showForces(bool areShown);
+  /// Puts @p steps, which have no other place while the forces are hidden, into this panel.
+  void takeSteps(QWidget& steps);
   /// Closes the window with the coloured bone, which only the operator may see.
   void closeBoneWindow();
 
- private:
-  /// The state of a trial, shown by the colour of its line: runs well, gives no force on purpose,
-  /// broke off.
-  enum class Health { Good, NoForce, Bad };
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
+ private:
   void beginTrial();
   /// Removes the curves of a trial that is over, once another one is next.
   void clearBeforeNextTrial();
   /// Clears all trial displays for a trial on @p device with ticks at @p rate [Hz].
   void clearTrial(const haptics::devices::DeviceKind& device, double rate);
-  void showHealth(const QString& words, Health health);
-  void showState();
+  void showNumbers();
 
   SessionController* controller_ = nullptr;
-  TimelineTable* steps_;
-  QLabel* health_;
-  QLabel* cutCount_;
   QLabel* numbers_;
   BoneColoursButton* boneColours_;
+  QBoxLayout* plots_;
   LivePlot* plot_;
   TravelPlot* travel_;
   ServoPanel* servo_;
   CutTable* cuts_;
   bool wasRunning_ = false;
+  bool areForcesShown_ = true;
 };
 
 }  // namespace study::gui

@@ -72,10 +72,13 @@ PinDialog::PinDialog(QWidget* parent)
       tr("Choose a PIN to get your window back"),
       {tr("The participant gets the whole screen until you press “Researcher” there and type the "
           "PIN. Esc, Pause, F12 or a foot switch stop the force meanwhile."),
-       tr("The PIN is valid until the program ends, and is not saved.")},
+       tr("It is valid until the program ends. Forgotten? Restart the computer and continue the "
+          "session: every answer is kept.")},
       *this);
   auto* form = new FieldForm;
-  form->addRow(tr("PIN"), first_);
+  form->addRow(
+      tr("PIN (%1–%2 digits)").arg(OperatorPin::kFewestDigits).arg(OperatorPin::kMostDigits),
+      first_);
   form->addRow(tr("Once more"), second_);
   words->addLayout(form);
   words->addWidget(problemLabel_);

@@ -223,6 +223,10 @@ bool SessionController::note(const QString& text) {
   return tryTo([&] { session_.note(text.toStdString()); });
 }
 
+bool SessionController::noteForcesShown(bool areShown) {
+  return tryTo([&] { session_.noteForcesShown(areShown); });
+}
+
 void SessionController::chooseLanguage(const QString& language) {
   if (savePendingAnswers() && tryTo([&] { session_.setLanguage(language.toStdString()); }))
     emit languageChanged();

@@ -103,6 +103,9 @@ class SessionController final : public QObject {
   /// Saves a note.
   /// @return whether it was saved.
   bool note(const QString& text);
+  /// Notes that the window shows the operator the forces, or hides them again.
+  /// @return whether it was noted.
+  bool noteForcesShown(bool areShown);
   void chooseLanguage(const QString& language);
 
  signals:

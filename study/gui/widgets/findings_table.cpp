@@ -45,6 +45,19 @@ FindingsTable::FindingsTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   heads->setSectionResizeMode(3, QHeaderView::Stretch);
   // A scroll bar that appears leaves the columns less room, and the rows then need more.
   connect(heads, &QHeaderView::sectionResized, this, &QTableWidget::resizeRowsToContents);
+  // Queued: a header that resizes its rows knows their sum only afterwards.
+  connect(
+      verticalHeader(),
+      &QHeaderView::sectionResized,
+      this,
+      &FindingsTable::fitRows,
+      Qt::QueuedConnection);
+}
+
+/// No higher than its rows.
+void FindingsTable::fitRows() {
+  setMaximumHeight(
+      horizontalHeader()->sizeHint().height() + verticalHeader()->length() + 2 * frameWidth());
 }
 
 void FindingsTable::show(std::vector<FindingLine> lines, bool hasDetails) {

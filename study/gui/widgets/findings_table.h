@@ -27,6 +27,9 @@ class FindingsTable final : public QTableWidget {
 
   void show(std::vector<FindingLine> lines, bool hasDetails = false);
   using QWidget::show;
+
+ private:
+  void fitRows();
 };
 
 }  // namespace study::gui

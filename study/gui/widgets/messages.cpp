@@ -252,6 +252,16 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .safe = "Do not begin",
      .action = "Begin the pilot"},
 
+    {.topic = ShowForces,
+     .kind = Kind::Question,
+     .title = "Force curves",
+     .headline = "Show the forces in this session?",
+     .data = "Conditions differ in their forces: who sees the curves can tell which alternative is "
+             "which. It is recorded that they were shown, and the report says it.",
+     .advice = "Show them only where the session cannot go on otherwise, as after a fault.",
+     .safe = "Keep them hidden",
+     .action = "Show the forces"},
+
     reason(
         DeviceFailure,
         "Device failed",

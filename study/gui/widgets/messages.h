@@ -51,6 +51,7 @@ enum class MessageTopic {
   GoOnVirtually,
   LiveSessionInOlderCopy,
   PilotSessionHasBlanks,
+  ShowForces,
   // Questions with a text to enter or a choice to make.
   DeviceFailure,
   NamesPassphrase,

@@ -143,7 +143,7 @@ TEST_F(ErasedWords, OfParticipantsAndOperatorsAreInNoFileAfterTheErasure) {
   press(QStringLiteral("Skip…"));
   participant_->takePart();
   EXPECT_EQ(session().state(), SessionState::Completed);
-  for (const auto* end : {"Withdrawal…", "Reject…", "Device failed…"}) {
+  for (const auto* end : {"Participant withdraws…", "Reject session…", "Device failed…"}) {
     enrol();
     stopATrial();
     press(QString::fromUtf8(end));

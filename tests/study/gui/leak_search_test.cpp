@@ -52,7 +52,7 @@ struct Sitting {
 std::set<QString> withoutNumbers(const std::set<QString>& words) {
   static const QRegularExpression number(QStringLiteral("[-−]?\\d+([.,]\\d+)?(e[+-]?\\d+)?|—"));
   static const QRegularExpression passing(QStringLiteral(
-      "^after # s$| · # pictures a second, # ms old$|^[●▲✖] (Timing|Force at its limit|Leaps).*$"));
+      " · # pictures a second, # ms old$|^[●▲✖] (Timing|Force at its limit|Leaps).*$"));
   std::set<QString> bare;
   for (auto text : words) {
     bare.insert(text.replace(number, QStringLiteral("#")).remove(passing));

@@ -1,0 +1,62 @@
+#include "study/gui/operator/state_line.h"
+
+#include <QVBoxLayout>
+
+#include "study/gui/session/session_controller.h"
+#include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/labels.h"
+
+namespace study::gui {
+
+StateLine::StateLine(QWidget* parent)
+    : QWidget(parent), health_(new QLabel(this)), count_(headingLabel({}, this)) {
+  health_->setObjectName(QStringLiteral("state"));
+  health_->setWordWrap(true);
+  count_->setObjectName(QStringLiteral("count"));
+  auto* layout = withoutMargins<QVBoxLayout>(this, 6);
+  layout->addWidget(health_);
+  layout->addWidget(count_);
+  showState(nullptr);
+}
+
+void StateLine::show(const QString& words, Health health) {
+  const char* const roles[] = {"good", "resting", "bad"};
+  health_->setText(words);
+  setRole(*health_, roles[static_cast<int>(health)]);
+}
+
+void StateLine::showState(const SessionController* controller) {
+  const bool isRunning = controller != nullptr && controller->isTrialRunning();
+  count_->setVisible(isRunning);
+  if (controller == nullptr) return show(tr("no session"), Health::NoForce);
+  const auto& session = controller->session();
+  if (session.isOver()) {
+    const auto how = statusInWords(session.state());
+    return show(tr("this session is over: %1").arg(how), Health::NoForce);
+  }
+  if (session.state() == SessionState::Paused) {
+    return show(tr("‖ paused: no force"), Health::NoForce);
+  }
+  if (session.state() == SessionState::Interrupted) {
+    return show(tr("✖ trial broke off: no force"), Health::Bad);
+  }
+  const QString device = controller->deviceName();
+  if (!isRunning) {
+    const auto waits = tr("%1: no force yet").arg(device);
+    return show(device.isEmpty() ? tr("no device needed now") : waits, Health::NoForce);
+  }
+  showCount(*controller);
+  const bool isReamer = controller->deviceKind().tissue == haptics::devices::Tissue::Bone;
+  const auto runs = isReamer ? tr("● %1: running · R: reamer off and on") : tr("● %1: running");
+  show(runs.arg(device), Health::Good);
+}
+
+void StateLine::showCount(const SessionController& controller) {
+  const int made = controller.trialStatus().cuts;
+  const int asked = controller.session().step().minimumCuts;
+  const auto counted = made > asked ? tr("%1 %3 (at least %2)") : tr("%1 of %2 %3");
+  const auto strokes = asText(controller.deviceKind().strokesName.in(deskLanguage()));
+  count_->setText(counted.arg(made).arg(asked).arg(strokes));
+}
+
+}  // namespace study::gui
