@@ -63,6 +63,7 @@ void fill(StudySummary& summary) {
   }
   summary.unfinished = unfinishedSessions(study);
   summary.lacksKeyBackup = hasOnlyCopyOfKey(study);
+  summary.isOpenLabel = study.protocol().protocol.isOpenLabel;
   summary.blanks = blanksLeft(study.protocol());
   fillCohorts(study, summary);
   fillArrivals(study, summary);
@@ -128,7 +129,7 @@ std::string sessionsInWords(const StudySummary& summary) {
   if (!summary.unfinished.empty()) {
     parts.push_back(translated("{} unfinished", summary.unfinished.size()));
   }
-  return base::joined(parts, "; ");
+  return base::joined(parts, " · ");
 }
 
 std::string otherSessionsInWords(const StudySummary& summary) {
@@ -136,7 +137,7 @@ std::string otherSessionsInWords(const StudySummary& summary) {
   for (const auto mode : {RunMode::Pilot, RunMode::Simulated}) {
     if (countIn(summary.sessions, mode) > 0) parts.push_back(modeInWords(summary, mode));
   }
-  return base::joined(parts, "; ");
+  return base::joined(parts, " · ");
 }
 
 std::string arrivalsInWords(const StudySummary& summary) {

@@ -28,6 +28,7 @@ struct StudySummary {
   std::vector<CohortProgress> cohorts;
   std::string lastSessionUtc;   ///< when the latest session of defaultRunMode() began; empty if
                                 ///< there is none, or if the sessions are simulated
+  bool isOpenLabel = false;     ///< the study hides its conditions from nobody
   std::size_t blanks = 0;       ///< in texts for participants, still to be filled in
   bool lacksKeyBackup = false;  ///< no copy was made of the key with which conditions are sealed
   std::vector<UnfinishedSession> unfinished;
@@ -50,11 +51,12 @@ struct PlanProgress {
 };
 PlanProgress progressOf(const StudySummary& summary);
 
-/// "11 of 12 completed; Simulated: 3 of 3 completed; 1 unfinished"; the first is of the planned
+/// "11 of 12 completed · Simulated: 3 of 3 completed · 1 unfinished"; the first is of the planned
 /// sessions, if their number is.
 std::string sessionsInWords(const StudySummary& summary);
 
-/// The sessions that take no planned place: "Pilot: 1 of 1 completed; Simulated: 3 of 3 completed".
+/// The sessions that take no planned place: "Pilot: 1 of 1 completed · Simulated: 3 of 3
+/// completed".
 std::string otherSessionsInWords(const StudySummary& summary);
 
 /// "Sessions here: 23. Arrived: 21. Waiting since Tuesday: 2 (no network, or no server)"; empty for

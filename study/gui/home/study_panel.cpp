@@ -51,11 +51,15 @@ StudyPanel::StudyPanel(QWidget* parent)
       problem_(bodyLabel({}, this)),
       progress_(new QVBoxLayout),
       unfinished_(new QVBoxLayout),
-      open_(new QPushButton(tr("Open sessions"), this)),
+      open_(new QPushButton(tr("Run sessions…"), this)),
       actions_(new QGridLayout),
       removeButton_(new QPushButton(tr("Remove from list"), this)),
       documents_(new QWidget(this)),
       documentRows_(new QVBoxLayout),
+      blindingRemark_(bodyLabel(
+          tr("Sessions are still to come: who runs them should open no report, and no export with "
+             "names of conditions."),
+          this)),
       foot_(quietLabel({}, this)) {
   setProperty("role", QStringLiteral("card"));
   arrivals_->setObjectName(QStringLiteral("arrivals"));
@@ -74,6 +78,9 @@ StudyPanel::StudyPanel(QWidget* parent)
   auto* documents = withoutMargins<QVBoxLayout>(documents_);
   documents->addWidget(makeSeparator());
   documents->addWidget(sectionLabel(tr("Reports and exports"), documents_));
+  setRole(*blindingRemark_, "warn");
+  blindingRemark_->setObjectName(QStringLiteral("blinding-remark"));
+  documents->addWidget(blindingRemark_);
   documents->addLayout(documentRows_);
   documentRows_->setSpacing(0);
   auto* layout = withMargins<QVBoxLayout>(this, {24, 20, 24, 16}, kBetweenParts);
@@ -126,7 +133,7 @@ void StudyPanel::makeActions() {
         connect(button, &QPushButton::clicked, this, requestSignal);
         return button;
       };
-  group(tr("Protocol"));
+  group(tr("Prepare"));
   add(tr("Fill in the texts…"), "texts", &StudyPanel::textsRequested);
   add(tr("Preview…"), "preview", &StudyPanel::previewRequested);
   add(tr("Plan…"), "plan", &StudyPanel::planRequested);
@@ -253,6 +260,10 @@ void StudyPanel::showDocuments(const StudySummary& summary) {
   clearLayout(*documentRows_);
   const auto documents = documentsOf(QString::fromStdString(summary.folder));
   documents_->setVisible(!summary.folder.empty());
+  const auto [completed, planned] = progressOf(summary);
+  const bool isUnderWay = countIn(summary.sessions, RunMode::Live) > 0 &&
+                          (completed < planned || !summary.unfinished.empty());
+  blindingRemark_->setVisible(isUnderWay && !summary.isOpenLabel && !documents.empty());
   if (documents.empty()) {
     documentRows_->addWidget(
         quietLabel(tr("Those that you write are listed here, and can be opened."), documents_));

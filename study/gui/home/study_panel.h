@@ -77,7 +77,8 @@ class StudyPanel final : public QFrame {
   QPushButton* removeButton_;
   QWidget* documents_;  ///< reports and exports
   QVBoxLayout* documentRows_;
-  QLabel* foot_;  ///< the protocol and the folder
+  QLabel* blindingRemark_;  ///< as long as a document may tell conditions to who runs sessions
+  QLabel* foot_;            ///< the protocol and the folder
 };
 
 }  // namespace study::gui

@@ -37,21 +37,22 @@ Welcome::Welcome(QWidget* parent)
   cards_->setSpacing(16);
   lines->addLayout(cards_);
   addCard(
-      {tr("Try a cut"),
-       tr("Try a virtual punch, answer as a participant, and see what is recorded. It takes two "
+      {tr("Tour"),
+       tr("Try a cut with a virtual punch, answer as a participant, and see what is recorded. It "
+          "takes two "
           "minutes, and nothing is saved."),
        tr("Tour in three steps…"),
        "",
        &Welcome::tourRequested});
   addCard(
-      {tr("Check this computer"),
+      {tr("System check"),
        tr("Whether its devices, timing, disk and screens are good enough for a study. It takes a "
           "few seconds."),
        tr("System check…"),
        "",
        &Welcome::systemCheckRequested});
   addCard(
-      {tr("Create a study"),
+      {tr("New study"),
        tr("From a protocol that ships with the program, or from your own. Texts and conditions can "
           "be changed later."),
        tr("New study…"),
@@ -82,6 +83,7 @@ void Welcome::addCard(const StartOption& way) {
   lines->addWidget(what, 1);
   lines->addSpacing(8);
   lines->addWidget(button);
+  if (button->property("role") == QStringLiteral("main")) button->setFocus();  // one emphasis
   connect(button, &QPushButton::clicked, this, way.requestSignal);
   cards_->addWidget(card, 1);
 }

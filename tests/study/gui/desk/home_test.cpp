@@ -496,10 +496,12 @@ TEST_F(HomeTest, SaysHowFarAStudyHasComeOnADayOfSessions) {
   home.show();
   home.choose(other);
   home.choose(folder);
-  EXPECT_EQ(sessionsInWords(summaryOf(folder.toStdString())), "3 of 11 completed; 1 unfinished");
+  EXPECT_EQ(sessionsInWords(summaryOf(folder.toStdString())), "3 of 11 completed · 1 unfinished");
   EXPECT_EQ(listOf(home)->item(0, 0)->data(StudyList::kShareRole).toDouble(), 3.0 / 11.0)
       << "the bar shows what the words say";
   QCoreApplication::processEvents();
+  const auto* remark = home.findChild<QLabel*>(QStringLiteral("blinding-remark"));
+  EXPECT_TRUE(remark->isVisible()) << "a report would tell conditions to who runs P004";
   const auto* make = home.findChild<QPushButton*>(QStringLiteral("new-study"));
   const int end = listOf(home)->mapTo(&home, QPoint(0, listOf(home)->height())).y();
   EXPECT_LT(make->mapTo(&home, QPoint(0, 0)).y() - end, 40) << "right below two studies";
