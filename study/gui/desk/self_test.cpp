@@ -124,8 +124,9 @@ constexpr double kLeastRefresh = 50.0;  // [Hz]
 FindingLine judgeScreen(const QScreen& screen) {
   const QSize size = screen.geometry().size();
   CheckResult found{
-      .what = screen.name().isEmpty() ? inWords("resolution")
-                                      : base::Message::verbatim(screen.name().toStdString()),
+      .what = QGuiApplication::screens().size() < 2
+                  ? inWords("your screen")
+                  : base::Message::verbatim(screen.name().toStdString()),
       .measured = inWords("{} × {} points", size.width(), size.height())};
   if (size.width() < kLeastWide || size.height() < kLeastHigh) {
     found.finding = Finding::Warn;
@@ -149,8 +150,12 @@ FindingLine judgeGraphics() {
       "screen",
       {isFast ? Finding::Pass : Finding::Warn,
        inWords("pictures of simulations"),
-       inWords(isFast ? "drawn by the graphics card" : "drawn by the processor"),
-       base::Message::verbatim(graphics.remark.toStdString())},
+       inWords(
+           isFast ? "drawn by the graphics card"
+                  : "drawn by the processor: complete, but coarser and slower"),
+       isFast ? base::Message()
+              : inWords("To have a graphics card draw them, sit at the computer itself instead of "
+                        "a remote desktop, and install the card's driver.")},
       translated("drawn by {}", graphics.renderer->name().toStdString())};
 }
 
@@ -225,7 +230,7 @@ std::vector<FindingLine> testComputer(const SelfTestOptions& options, const Prog
   const StudyFiles files{options.study};
   lines.push_back(testFile("answers", files.study(), storage::studySchema()));
   lines.push_back(testFile("recordings", files.traces(), storage::traceSchema()));
-  lines.push_back(testFile("names", files.identity(), storage::identitySchema()));
+  lines.push_back(testFile("file of names", files.identity(), storage::identitySchema()));
   return lines;
 }
 

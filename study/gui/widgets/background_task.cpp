@@ -1,5 +1,6 @@
 #include "study/gui/widgets/background_task.h"
 
+#include <cmath>
 #include <utility>
 
 #include <QVBoxLayout>
@@ -40,6 +41,7 @@ BackgroundTask::BackgroundTask(
   connect(cancel_, &QPushButton::clicked, this, &BackgroundTask::reject);
   connect(&watch_, &QTimer::timeout, this, &BackgroundTask::showProgress);
   watch_.start(kWatchInterval);
+  since_.start();
   worker_.reset(QThread::create([this, work = std::move(work)] {
     std::exception_ptr failure;
     try {
@@ -77,6 +79,18 @@ void BackgroundTask::reject() {
   cancel_->setText(tr("Cancelling…"));
 }
 
+/// A line with the time that is left, as far as the share tells it; empty at first.
+QString BackgroundTask::timeLeft(double share) const {
+  constexpr double kEnoughToTell = 0.05;
+  constexpr double kSettling = 3.0;  // [s]
+  const double past = 1e-3 * static_cast<double>(since_.elapsed());
+  if (share < kEnoughToTell || past < kSettling) return {};
+  const auto left = static_cast<int>(std::ceil(past * (1.0 - share) / share));
+  constexpr int kMinute = 60;  // [s]
+  const auto minutes = tr("About %1 min left.").arg((left + kMinute - 1) / kMinute);
+  return u'\n' + (left < kMinute ? tr("Less than a minute left.") : minutes);
+}
+
 void BackgroundTask::showProgress() {
   double share = kUnknownShare;
   QString message;
@@ -90,7 +104,7 @@ void BackgroundTask::showProgress() {
     share = share_;
     message = deskText(message_);
   }
-  if (!message.isEmpty()) words_->setText(message);
+  if (!message.isEmpty()) words_->setText(capitalised(message) + timeLeft(share));
   bar_->setRange(0, share < 0.0 ? 0 : kBarSteps);
   if (share >= 0.0) bar_->setValue(static_cast<int>(share * kBarSteps));
 }

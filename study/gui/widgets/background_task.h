@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include <QDialog>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -57,12 +58,14 @@ class BackgroundTask final : public QDialog {
 
  private:
   void reportProgress(double share, const std::string& words);
+  QString timeLeft(double share) const;
   void showProgress();
 
   QLabel* words_;
   QProgressBar* bar_;
   QPushButton* cancel_;
   QTimer watch_;
+  QElapsedTimer since_;
   std::mutex mutex_;  ///< guards the next four members
   double share_ = kUnknownShare;
   std::string message_;

@@ -111,7 +111,7 @@ MessageBox::MessageBox(
   setWindowTitle(withArguments(row.title, arguments));
   const QString headline = withArguments(row.headline, arguments);
   QStringList paragraphs{
-      withArguments(row.data, arguments), why.trimmed(), withArguments(row.advice, arguments)};
+      why.trimmed(), withArguments(row.data, arguments), withArguments(row.advice, arguments)};
   paragraphs.removeAll(QString());
   words_ = QStringList(headline) + paragraphs;
   auto* layout = new QVBoxLayout(this);

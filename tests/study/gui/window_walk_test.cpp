@@ -165,7 +165,7 @@ class Windows {
   static BackgroundTask::Work waits() {
     return [](const Progress& progress) {
       for (;;) {
-        progress(0.4, "session 5 of 12");
+        progress(0.4, "reading the recording of session 5 of 12");
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
       }
     };
@@ -227,7 +227,8 @@ class Windows {
     return make<MessageBox>(
         MessageTopic::ReportNotWritten,
         QStringList(),
-        QStringLiteral("The disk is full. Free 20 MB, and try again."));
+        QStringLiteral("~/reports/punch.html cannot be written: the disk is full. Free some space "
+                       "and try again."));
   }
 
   StudySummary summary() { return summaryOf(folder_ / "study"); }

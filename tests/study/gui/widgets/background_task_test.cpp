@@ -30,7 +30,7 @@ TEST(BackgroundTask, RunsInItsOwnThreadWhileTheWindowResponds) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return bar->maximum() > 0; }));
   EXPECT_EQ(bar->value() * 4, bar->maximum());
   bool says = false;
-  for (auto* label : task.findChildren<QLabel*>()) says |= label->text() == "a quarter";
+  for (auto* label : task.findChildren<QLabel*>()) says |= label->text() == "A quarter";
   EXPECT_TRUE(says);
   tests::photograph(task, QStringLiteral("task"));
   go.set_value();
@@ -102,8 +102,8 @@ TEST(BackgroundTask, ShowsTheMessageOfTheException) {
   EXPECT_FALSE(isDone);
   EXPECT_EQ(
       told,
-      QStringLiteral("The report was not written.\n\nNothing in the study was changed.\n\nThe disk "
-                     "is full. Free some space."));
+      QStringLiteral("The report was not written.\n\nThe disk is full. Free some space.\n\n"
+                     "Nothing in the study was changed."));
 }
 
 }  // namespace background_task_test
