@@ -30,6 +30,18 @@ constexpr int kPlanWidth = 900;  // [px]
 constexpr int kStatisticsWidth = 1240;
 
 }  // namespace
+/// "as planned: 6, 5", each number once.
+QString asPlanned(const StudySummary& study) {
+  QStringList numbers;
+  for (const auto& cohort : study.cohorts) {
+    if (cohort.planned > 0) numbers << QString::number(cohort.planned);
+  }
+  numbers.removeDuplicates();
+  return numbers.isEmpty()
+             ? PlanDialog::tr("as planned in the protocol")
+             : PlanDialog::tr("as planned: %1").arg(numbers.join(QStringLiteral(", ")));
+}
+
 
 AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
@@ -192,7 +204,7 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
       result_(new ResultView(this)) {
   participants_->setObjectName(QStringLiteral("participants"));
   participants_->setRange(0, kMostPlanned);
-  participants_->setSpecialValueText(tr("as planned in the protocol"));
+  participants_->setSpecialValueText(asPlanned(study));
   effect_->setObjectName(QStringLiteral("effect"));
   effect_->setRange(0.05, 10.0);
   effect_->setSingleStep(0.1);
@@ -203,7 +215,7 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
   power_->setValue(StudyPlanOptions().power);
   auto* fields = new FieldRow(this);
   fields->add(tr("Participants of each cohort"), participants_);
-  fields->add(tr("Effect to find (Cohen's d_z)"), effect_);
+  fields->add(tr("Effect to find, d_z"), effect_);
   fields->add(tr("Power to reach"), power_);
   connect(participants_, &QSpinBox::valueChanged, this, [this] { setMain(true); });
   for (auto* number : {effect_, power_}) {
@@ -243,6 +255,10 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
           tr("Means, the declared tests, preferences. The tables name every condition: do not open "
              "them if you must stay blinded."),
           tr("Show"),
+  form().addRow(quietLabel(
+      tr("d_z is the mean difference between two methods, divided by the standard deviation of the "
+         "participants’ differences."),
+      this));
           parent),
       folder_(study.folder),
       mode_(makeRunModeBox(study, this)),

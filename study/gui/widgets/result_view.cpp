@@ -68,8 +68,8 @@ ResultView::ResultView(QWidget* parent)
   results_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   auto* layout = withoutMargins<QVBoxLayout>(this, 10);
   layout->addWidget(finding_);
-  layout->addWidget(more_);
   layout->addWidget(results_);
+  layout->addWidget(more_);
   layout->addWidget(caveatsHeading_);
   layout->addWidget(caveats_);
   layout->addStretch(1);

@@ -14,8 +14,8 @@ namespace study::gui {
 
 class ResultTable;
 
-/// Shows a result: the answer in words; below it tables, one at a time, which can be copied or
-/// saved; and caveats.
+/// Shows a result: the finding; below it tables, one at a time, which can be copied or saved; and
+/// the rest of the answer in words, with caveats.
 class ResultView final : public QWidget {
   Q_OBJECT
 

@@ -1,12 +1,15 @@
 #include "study/report/tables/plan_tables.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "analysis/planning/power.h"
+#include "base/joined.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
 #include "study/results/results.h"
@@ -27,27 +30,41 @@ class PlanWriter {
   PlanWriter(const StudyPlan& plan, const words::Words& words) : plan_(plan), words_(words) {}
 
   Answer answer() const {
-    if (plan_.families.empty()) {
-      return {words_("The protocol declares no comparisons, so there is no power to compute.")};
-    }
     Answer answer;
     std::set<std::string> caveats;
     const auto caveat = [&](std::string sentence) {
       if (caveats.insert(sentence).second) answer.caveats.push_back(std::move(sentence));
     };
+    std::vector<std::string> lines;
+    std::vector<std::string> more;
+    if (plan_.families.empty()) {
+      lines.push_back(
+          words_("The protocol declares no comparisons, so there is no power to compute."));
+    }
     for (const auto& family : plan_.families) {
       const auto title =
           plan_.families.size() > 1 ? words_.say("“{}”", family.title) + ": " : std::string();
-      answer.finding += (answer.finding.empty() ? "" : "\n") + title + needed(family);
-      answer.more += (answer.more.empty() ? "" : "\n") + title + found(family);
+      lines.push_back(title + needed(family));
+      const auto detail = ofDeclaredTest(family);
+      if (!detail.empty()) more.push_back(title + detail);
       if (isAnyCohortTooSmall(family)) {
         caveat(words_.say(
             "With fewer than {} participants, no exact paired test can be significant at α = {}.",
             family.fewestForSignificance,
             rounded(family.alphaPerTest, 4)));
       }
-      caveat(test(family));
+      const auto wrong = falsePositives(family);
+      if (!wrong.empty()) caveat(wrong);
+      caveat(words_.say(
+          "Power is that of a paired t-test of people’s means at α = {}.",
+          rounded(family.alphaPerTest, 4)));
     }
+    const auto balance = ordersInWords();
+    if (!balance.empty()) lines.push_back(balance);
+    lines.push_back(
+        words_.say("A session lasts about {} minutes.", minutesOf(plan_.length.seconds)));
+    answer.finding = base::joined(lines, "\n");
+    answer.more = base::joined(more, "\n");
     return answer;
   }
 
@@ -66,23 +83,13 @@ class PlanWriter {
  private:
   // --- Sentences ---
 
-  std::string found(const FamilyPlan& family) const {
-    std::set<std::uint64_t> seen;
-    std::string text;
+  /// What each cohort has, each number of participants once.
+  static std::map<std::uint64_t, const Detectability*> byParticipants(const FamilyPlan& family) {
+    std::map<std::uint64_t, const Detectability*> found;
     for (const auto& cohort : family.detectabilities) {
-      if (!cohort.power || !seen.insert(cohort.participants).second) continue;
-      text += (text.empty() ? "" : " ") +
-              words_.say(
-                  "With {} participants in a cohort, a difference of d_z = {:g} is found with a "
-                  "probability of {}.",
-                  cohort.participants,
-                  plan_.planOptions.dz,
-                  percent(*cohort.power));
+      if (cohort.power) found.try_emplace(cohort.participants, &cohort);
     }
-    return text.empty() ? words_(
-                              "The protocol does not say how many participants will come: enter "
-                              "a number.")
-                        : text;
+    return found;
   }
 
   static bool isAnyCohortTooSmall(const FamilyPlan& family) {
@@ -98,22 +105,83 @@ class PlanWriter {
         asCell(family.sampleSizeForPower),
         plan_.planOptions.dz,
         percent(plan_.planOptions.power));
+    const auto planned = byParticipants(family);
+    for (const auto& [participants, cohort] : planned) {
+      text += words_.say("; {} find it with {}", participants, percent(*cohort->power));
+    }
     if (family.recommended && plan_.balancedBy > 1) {
       text += words_.say("; {} balance the orders as well", *family.recommended);
     }
-    return text + ".";
-  }
-
-  /// Says for which test the power was computed, and whether the protocol declares another test.
-  std::string test(const FamilyPlan& family) const {
-    auto text = words_.say(
-        "Power is that of a paired t-test of people’s means at α = {}.",
-        rounded(family.alphaPerTest, 4));
+    text += ".";
+    if (planned.empty()) {
+      text += " " + words_(
+                        "The protocol does not say how many participants will come: enter "
+                        "a number.");
+    }
     if (family.test == protocols::TestType::PairedT) return text;
     return text + " " +
            words_.say(
-               "The protocol declares another test ({}), whose power differs.",
-               words_(shortNameOf(idOf(family.test))));
+               "The protocol declares another test: {}.", words_(shortNameOf(idOf(family.test))));
+  }
+
+  /// How often simulated studies find the difference by the declared test; empty for a paired
+  /// t-test, and for a test that is not simulated.
+  std::string ofDeclaredTest(const FamilyPlan& family) const {
+    std::vector<std::string> shares;
+    for (const auto& [participants, cohort] : byParticipants(family)) {
+      if (!cohort->found) continue;
+      if (family.test == protocols::TestType::Welch) {
+        shares.push_back(simulatedShare(participants, cohort->found->pooledWelch));
+      } else if (family.test == protocols::TestType::SignedRank) {
+        shares.push_back(simulatedShare(participants, cohort->found->signedRank));
+      }
+    }
+    if (shares.empty()) return {};
+    return words_.say(
+        "In simulated studies, the declared test ({}) finds it: {}.",
+        words_(shortNameOf(idOf(family.test))),
+        base::joined(shares, ", "));
+  }
+
+  std::string simulatedShare(
+      std::uint64_t participants, const analysis::DetectionRate& detection) const {
+    return words_.say("{} participants {}", participants, percent(detection.rate));
+  }
+
+  /// How often Welch's test of single answers finds what is not there; empty for another test.
+  std::string falsePositives(const FamilyPlan& family) const {
+    if (family.test != protocols::TestType::Welch) return {};
+    for (const auto& [participants, cohort] : byParticipants(family)) {
+      if (!cohort->falsePositives) continue;
+      return words_.say(
+          "Welch’s t takes every answer as if another person had given it: with {} participants, "
+          "it "
+          "calls some methods different in {} of simulated studies in which none are.",
+          participants,
+          percent(cohort->falsePositives->anyPooledWelch.rate));
+    }
+    return {};
+  }
+
+  std::string ordersInWords() const {
+    std::size_t blocks = 0;
+    std::size_t fixed = 0;
+    std::size_t drawn = 0;
+    for (const auto& block : plan_.blocks) {
+      if (block.conditions < 2) continue;
+      ++blocks;
+      if (block.hasOneOrder) ++fixed;
+      if (block.multipleOf == 0) ++drawn;
+    }
+    if (blocks == 0) return {};
+    if (fixed == blocks) {
+      return words_("All participants have the same order: no number of them balances it.");
+    }
+    if (drawn == blocks)
+      return words_("Orders are drawn for each participant: balanced on average.");
+    if (fixed + drawn > 0) return words_("Not every block can be balanced: see “Orders”.");
+    return words_.say(
+        "Orders are balanced for every multiple of {} participants.", plan_.balancedBy);
   }
 
   // --- Tables ---

@@ -145,7 +145,7 @@ TEST_P(WordsTest, TranslateEverySentenceOfAPlan) {
   for (const auto* id : {"punch-face-validity", "punch-counterbalanced", "two-devices"}) {
     const auto protocol = *protocols::loadProtocolFile(id, problems);
     for (const std::uint64_t participants : {2, 12}) {
-      const auto plan = planOf(protocol, {.participants = participants, .studies = 0});
+      const auto plan = planOf(protocol, {.participants = participants, .studies = 10});
       report::planInWords(plan, words);
       report::planTables(plan, words);
     }
