@@ -1,7 +1,10 @@
 #include "study/gui/desk/export_dialog.h"
 
+#include <algorithm>
+
 #include "study/export/condition_codes.h"
 #include "study/export/named_people.h"
+#include "study/export/public_people.h"
 #include "study/export/public_tables.h"
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/study_dialogs.h"
@@ -35,6 +38,18 @@ std::vector<Note> notesOf(const ClassSizes& classes) {
                          "an export for the public instead.")}}};
 }
 
+/// Whether any version of the protocol asks people for a number, such as their age.
+bool asksForNumbers(Study& study) {
+  for (const auto id : study.protocols().all()) {
+    const auto questions = backgroundQuestionsOf(study.protocol(id));
+    const auto isNumber = [](const BackgroundQuestion& question) {
+      return publicFormOf(*question.item) == PublicForm::Bands;
+    };
+    if (std::ranges::any_of(questions, isNumber)) return true;
+  }
+  return false;
+}
+
 /// Whether names of participants are in what is exported.
 Note noteOf(const NameSearchResult& named, bool hasTexts) {
   QStringList advice;
@@ -47,7 +62,10 @@ Note noteOf(const NameSearchResult& named, bool hasTexts) {
         advice};
   }
   if (named.names == 0) {
-    return {ExportDialog::tr("The study keeps no names to search for."), Mark::None, advice};
+    return {
+        ExportDialog::tr("No participant gave a name, so there is none to find in these data."),
+        Mark::None,
+        advice};
   }
   QStringList where;
   for (const auto& [table, count] : named.cells) {
@@ -79,7 +97,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
       mode_(makeRunModeBox(study, this)),
       audience_(new QComboBox(this)),
       smallestGroup_(new QSpinBox(this)),
-      exactDates_(new QCheckBox(tr("Exact dates, times and ages (otherwise in bands)"), this)),
+      exactDates_(new QCheckBox(tr("Exact dates and times"), this)),
       writtenTexts_(new QCheckBox(tr("Texts that participants and operators wrote"), this)),
       traces_(new QCheckBox(tr("Recordings: what was felt, sample by sample"), this)),
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)),
@@ -104,7 +122,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   writtenTexts_->setObjectName(QStringLiteral("texts"));
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("data")));
   earlierExport_->startIn(folderBeside(folder_));
-  earlierExport_->setHint(tr("optional"));
+  earlierExport_->setHint(tr("an earlier export (optional)"));
   form().addRow(tr("For whom"), audience_);
   form().addRow(tr("Smallest group of people"), smallestGroup_);
   addReason(tr("Reason for unblinding"), [this] { updateButton(); });
@@ -114,7 +132,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(QString(), writtenTexts_);
   form().addRow(QString(), traces_);
   form().addRow(tr("To a new folder"), target_);
-  form().addRow(tr("Codes of an earlier export"), earlierExport_);
+  form().addRow(tr("Same codes as"), earlierExport_);
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(smallestGroup_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
@@ -167,6 +185,9 @@ void ExportDialog::showIdentifiability() {
   isExportPossible_ = true;
   try {
     auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
+    exactDates_->setText(
+        asksForNumbers(study) ? tr("Exact dates and times, and numbers such as ages")
+                              : tr("Exact dates and times"));
     const auto how = options();
     if (how.publicClassSize) {
       showDetails({{QString::fromStdString(study::describe(publicRelease(study, how))).trimmed()}});
@@ -174,6 +195,12 @@ void ExportDialog::showIdentifiability() {
       showDetails({{tr("Nothing in this folder names a person."), Mark::Good}});
     } else {
       auto notes = notesOf(classSizesAsReleased(study, how));
+      if (how.isExact) {
+        notes.push_back(
+            {tr("Exact dates point to people more than days and bands do: export them only if "
+                "participants were told so."),
+             Mark::Warning});
+      }
       notes.push_back(noteOf(searchForNames(study, exportTables(study, how)), how.hasTexts));
       showDetails(notes);
     }

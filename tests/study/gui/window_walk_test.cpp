@@ -89,8 +89,8 @@ class Windows {
         {"BackupDialog", [this] { return make<BackupDialog>(summary()); }},
         {"BuildBoneDialog", [] { return make<BuildBoneDialog>(); }},
         {"BoneColoursWindow", [] { return cup(); }},
-        {"EraseDialog", [this] { return make<EraseDialog>(summary()); }},
-        {"ExportDialog", [this] { return make<ExportDialog>(summary()); }},
+        {"EraseDialog", [this] { return make<EraseDialog>(withPeople()); }},
+        {"ExportDialog", [this] { return make<ExportDialog>(withPeople()); }},
         {"FindingsDialog", [] { return findings(); }},
         {"FitMaterialDialog", [] { return make<FitMaterialDialog>(); }},
         {"HelpWindow", [] { return make<HelpWindow>(); }},
@@ -158,6 +158,19 @@ class Windows {
       SimulatedClock clock;
       auto study = Study::create(folder, protocol_, clock, 7, tests::knownSecret());
       simulateCohorts(study, clock, 4, 7, [](const auto&) {});
+    }
+    return summaryOf(folder);
+  }
+
+  /// A study with participants who have just begun.
+  StudySummary withPeople() {
+    const std::string folder = folder_ / "people";
+    if (!std::filesystem::exists(folder)) {
+      auto study =
+          Study::create(folder, tests::filledIn(protocol_), clock_, 7, tests::knownSecret());
+      for (int i = 0; i < 4; ++i) {
+        study::Session::enrol(study, {.cohort = "professional", .runMode = RunMode::Live});
+      }
     }
     return summaryOf(folder);
   }
