@@ -62,8 +62,9 @@ report::ErasureCertificate erase(
 EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Erase a participant"),
-          tr("Deletes the data of a participant permanently. The audit trail stays valid and "
-             "records when and why; results no longer include this person."),
+          tr("Deletes the data of a participant of “%1” permanently. The audit trail stays valid "
+             "and records when and why; results no longer include this person.")
+              .arg(QString::fromStdString(study.title)),
           tr("Erase"),
           parent),
       folder_(study.folder),
@@ -120,8 +121,15 @@ void EraseDialog::fillIn() {
           names.empty() ? words : words + QStringLiteral(" · ") + QString::fromStdString(names),
           words);
     }
-    reseal_->setVisible(!remarkOnUnsealedTrail(study).empty());
+    form().setRowVisible(reseal_, !remarkOnUnsealedTrail(study).empty());
   });
+  const bool isAnyone = participant_->count() > 0;
+  showNotice(
+      Mark::Warning,
+      isAnyone ? QString()
+               : tr("There is nobody to erase: no person has taken part, or all are erased. "
+                    "Simulated participants are no people."));
+  for (int row = 0; row < form().rowCount() && !isAnyone; ++row) form().setRowVisible(row, false);
   certificate_->setPath(
       unusedPathBeside(folder_, QStringLiteral("erasure"), QStringLiteral(".pdf")));
   updateButton();
@@ -129,9 +137,10 @@ void EraseDialog::fillIn() {
 
 void EraseDialog::updateButton() {
   const auto code = participant_->currentData().toString();
+  if (code.isEmpty()) return setDisabledReason(tr("No participant can be erased."));
+  qobject_cast<QLabel*>(form().labelForField(code_))->setText(tr("Type %1 to confirm").arg(code));
   setDisabledReason(
-      code.isEmpty()                    ? tr("No participant can be erased.")
-      : reason().empty()                ? tr("Give a reason.")
+      reason().empty()                  ? tr("Give a reason.")
       : code_->text().trimmed() != code ? tr("Type %1 to confirm.").arg(code)
                                         : QString());
 }

@@ -1,5 +1,6 @@
 #include "study/gui/desk/study_dialogs.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <QDate>
@@ -29,8 +30,11 @@ constexpr int kCountRole = Qt::UserRole + 1;  ///< number of sessions of a mode
 std::vector<Note> notesOf(const Verification& verification) {
   std::vector<Note> notes;
   for (const auto& check : verification.checks) {
-    auto& note = notes.emplace_back(
-        Note{capitalised(deskText(check.what)), check.problems.empty() ? Mark::Good : Mark::Bad});
+    auto& note = notes.emplace_back(Note{
+        capitalised(deskText(check.what)),
+        !check.problems.empty() ? Mark::Bad
+        : check.remarks.empty() ? Mark::Good
+                                : Mark::None});
     for (const auto& problem : check.problems) note.details << QString::fromStdString(problem);
     for (const auto& remark : check.remarks) note.details << QString::fromStdString(remark);
   }
@@ -93,9 +97,10 @@ bool isOnDiskOf(const std::string& folder, const QString& path) {
 BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Back up a study"),
-          tr("Copies the whole study as it is at one moment, also while sessions are open, and "
+          tr("Copies all of “%1” as it is at one moment, also while sessions are open, and "
              "verifies the copy. Keep it on another disk, as carefully as the study: it contains "
-             "the participants' names."),
+             "the participants' names.")
+              .arg(QString::fromStdString(study.title)),
           tr("Back up"),
           parent),
       folder_(study.folder),
@@ -199,7 +204,12 @@ void VerifyDialog::work() {
         tr("This is an older copy of the study. What it has is undamaged."),
         notes);
   } else if (verification.isSound()) {
-    showOutcome(Outcome::Good, tr("All data are unchanged."), checks);
+    const auto remarks = std::ranges::count(checks, Mark::None, &Note::mark);
+    showOutcome(
+        Outcome::Good,
+        remarks == 0 ? tr("All data are unchanged.")
+                     : tr("No change was found. Not everything can be proven: see “–” below."),
+        checks);
   } else {
     showOutcome(
         Outcome::Bad,
