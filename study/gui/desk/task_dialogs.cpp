@@ -298,7 +298,7 @@ void StatisticsDialog::updateChoices() {
 }
 
 void StatisticsDialog::showResults() {
-  setMain(!section_);
+  runButton().setVisible(!section_);  // all is shown
   result_->setVisible(section_.has_value());
   if (section_) {
     const auto profile = static_cast<Profile>(profile_->currentData().toInt());

@@ -125,6 +125,10 @@ class TablesWriter {
          words("In words"),
          words("Statistic"),
          words("Effect size")});
+    if (isOfAnswers && profile_ == Profile::Declared) {
+      const auto next = std::ranges::find(headings, say("In words"), &Heading::name);
+      headings.insert(next, number("p within people"));
+    }
     return headings;
   }
 
@@ -151,7 +155,8 @@ class TablesWriter {
                 section_.conditionTitle(one.group1) + " vs. " + section_.conditionTitle(one.group2),
                 people,
                 *one.test,
-                *one.difference));
+                *one.difference,
+                isOfAnswers ? std::optional(pWithin(part, one.group1, one.group2)) : std::nullopt));
           }
           break;
         case Profile::AsPublished:
@@ -187,6 +192,7 @@ class TablesWriter {
     std::string interval;
     std::string p;
     std::string adjusted;
+    std::optional<std::string> within;  ///< std::nullopt: the table has no such column
     std::string inWords;
     std::string statistic;
     std::string effect;
@@ -195,27 +201,26 @@ class TablesWriter {
   /// Appends @p outcome in the order of headingsOf().
   static void append(Cells& cells, const Outcome& outcome) {
     for (const auto& cell :
-         {outcome.test,
-          outcome.difference,
-          outcome.interval,
-          outcome.p,
-          outcome.adjusted,
-          outcome.inWords,
-          outcome.statistic,
-          outcome.effect}) {
+         {outcome.test, outcome.difference, outcome.interval, outcome.p, outcome.adjusted}) {
+      cells.emplace_back(cell);
+    }
+    if (outcome.within) cells.emplace_back(*outcome.within);
+    for (const auto& cell : {outcome.inWords, outcome.statistic, outcome.effect}) {
       cells.emplace_back(cell);
     }
   }
 
   /// @param people  who gave the answers; std::nullopt if n is the number of people
   /// @param difference  has the estimate, its interval and the effect; often @p test itself
+  /// @param within  see pWithin(); std::nullopt where the table has no such column
   Cells cellsOf(
       const FamilyResult& family,
       const std::string& who,
       const std::string& groups,
       const std::optional<std::size_t>& people,
       const analysis::TestRow& test,
-      const analysis::TestRow& difference) const {
+      const analysis::TestRow& difference,
+      const std::optional<std::string>& within = std::nullopt) const {
     const auto& estimate = difference.estimate;
     const bool isOfPoints = estimate.name == "difference";
     Cells cells{who, groups, countOf(test)};
@@ -227,6 +232,7 @@ class TablesWriter {
          .interval = isOfPoints ? orNothing(difference.interval) : std::string(),
          .p = test.p ? formatP(test.p) : std::string(),
          .adjusted = test.adjusted && isCorrected(family) ? formatP(test.adjusted) : std::string(),
+         .within = within,
          .inWords = inWords(family, test, estimate.value),
          .statistic = statisticOf(test),
          .effect = effectOf(difference)});
@@ -237,8 +243,24 @@ class TablesWriter {
   Cells cellsWithoutAnswers(const std::string& who, bool isOfAnswers) const {
     Cells cells{who, std::string(), std::string()};
     if (isOfAnswers) cells.emplace_back(std::string());
-    append(cells, {.inWords = say("No answers yet.")});
+    const bool hasWithin = isOfAnswers && profile_ == Profile::Declared;
+    append(
+        cells,
+        {.within = hasWithin ? std::optional(std::string()) : std::nullopt,
+         .inWords = say("No answers yet.")});
     return cells;
+  }
+
+  /// p of the paired t-test of people's means, adjusted as in the report.
+  static std::string pWithin(
+      const CohortResult& part, const std::string& group1, const std::string& group2) {
+    for (const auto& row : part.within.rows) {
+      if (row.group1 != group1 || row.group2 != group2) continue;
+      const auto& test = row.test("paired_t");
+      const auto& p = test.adjusted ? test.adjusted : test.p;
+      return p ? formatP(p) : std::string();
+    }
+    return {};
   }
 
   /// The pooled tests of a study that does not declare them are corrected as in the punch paper.
@@ -254,12 +276,11 @@ class TablesWriter {
       return say("Not tested: {}.", section_.inWords(test.reason));
     }
     if (!family.isConfirmatory(test.id) || !test.isSignificant) return say("Exploratory.");
-    if (!*test.isSignificant) return say("No significant difference.");
+    if (!*test.isSignificant) return say("Not significant.");
     if (!difference) return say("A significant difference.");
     const bool isFirst = *difference > 0.0;
     return say(
-        "{} was rated significantly higher.",
-        section_.conditionTitle(isFirst ? test.group1 : test.group2));
+        "Significant: {} higher.", section_.conditionTitle(isFirst ? test.group1 : test.group2));
   }
 
   void addSiteDifferences(const FamilyResult& family) {

@@ -195,7 +195,7 @@ TEST_F(StudyDialogsTest, StatisticsAnswerFirstAndThenShowTheDeclaredTests) {
                   ->text()
                   .contains(QStringLiteral("not adjusted for several")));
   const auto* rows = dialog.findChild<QTableWidget*>(QStringLiteral("results"));
-  EXPECT_EQ(rows->rowHeight(3), rows->rowHeight(2)) << "a row of one line";
+  EXPECT_LT(rows->rowHeight(2), rows->rowHeight(1)) << "a row of one line";
   const auto expected = report::statisticsTables(section, Profile::Declared);
   EXPECT_EQ(asCsv(view.table()), asCsv(expected.front()));
   EXPECT_EQ(view.table().rows.size(), 6U) << "three pairs in each of two cohorts";
