@@ -16,6 +16,7 @@
 #include "study/gui/widgets/written_file.h"
 #include "study/report/tables/plan_tables.h"
 #include "study/report/tables/statistics_tables.h"
+#include "study/results/protocol_versions.h"
 #include "study/results/study_plan.h"
 #include "study/session/unblinding.h"
 
@@ -57,15 +58,17 @@ AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
     present_ = Study::open(folder_, Access::ReadOnly).protocol();
   });
   file_->startIn(protocolFolder());
-  form().addRow(tr("Changed protocol"), file_);
   auto* save = new QPushButton(tr("Save the study’s protocol…"), this);
   save->setObjectName(QStringLiteral("save-protocol"));
   save->setAutoDefault(false);
   save->setEnabled(present_.has_value());
-  form().addRow(QString(), save);
-  addHint(tr("As a file with all texts, to be changed there and chosen above."));
+  form().addRow(tr("1. Save it as a file"), save);
+  auto* how = quietLabel(tr("In a text editor; all its texts are in it."), this);
+  how->setSizePolicy(QSizePolicy::Expanding, how->sizePolicy().verticalPolicy());
+  form().addRow(tr("2. Change the file"), how);
+  form().addRow(tr("3. Choose the changed file"), file_);
   connect(save, &QPushButton::clicked, this, &AmendDialog::savePresentProtocol);
-  addReason(tr("Reason for the change"), [this] { updateButton(); });
+  addReason(tr("4. Reason for the change"), [this] { updateButton(); });
   connect(file_, &PathField::pathChanged, this, &AmendDialog::check);
   connect(&watch_, &FileWatch::changed, this, &AmendDialog::check);
   check();
@@ -78,10 +81,34 @@ void AmendDialog::check() {
   const auto path = file_->path().toStdString();
   if (!path.empty()) {
     checked_ = checkProtocol(path, present_ ? &*present_ : nullptr);
-    showOutcome(checked_.mark(), QString::fromStdString(checked_.verdict()), checked_.notes());
+    auto notes = checked_.notes();
+    const auto changes = changesInMeaning();
+    notes.insert(notes.begin(), changes.begin(), changes.end());
+    showOutcome(checked_.mark(), QString::fromStdString(checked_.verdict()), notes);
   }
   watch_.watch(path.empty() ? QStringList() : checked_.files());
   updateButton();
+}
+
+std::vector<Note> AmendDialog::changesInMeaning() {
+  std::vector<Note> notes;
+  if (!checked_.loaded) return notes;
+  attempt(this, MessageTopic::ProtocolNotChanged, [&] {
+    auto study = Study::open(folder_, Access::ReadOnly);
+    QStringList changes;
+    for (const auto& change : changesBy(study, *checked_.loaded)) {
+      changes << capitalised(checked_.inWords(change));
+    }
+    if (changes.isEmpty()) return;
+    changes << tr(
+        "Results will say so. To keep both apart, give what is changed an id of its own, or make a "
+        "new study.");
+    notes.push_back(
+        {tr("What was answered or felt so far means something else in this version:"),
+         Mark::Warning,
+         changes});
+  });
+  return notes;
 }
 
 void AmendDialog::savePresentProtocol() {

@@ -31,6 +31,8 @@ class AmendDialog final : public WorkDialog {
  private:
   void check();
   void updateButton();
+  /// What the chosen protocol changes in the meaning of answers that were given so far.
+  std::vector<Note> changesInMeaning();
   void savePresentProtocol();
 
   std::string folder_;

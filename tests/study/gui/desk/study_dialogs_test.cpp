@@ -301,51 +301,6 @@ TEST_F(StudyDialogsTest, SimulationAddsParticipants) {
   EXPECT_EQ(summaryOf(out_ / "other").completed.at(RunMode::Simulated), 2);
 }
 
-TEST_F(StudyDialogsTest, AmendmentChangesTheProtocolOfNewSessions) {
-  questionnaires::Problems problems;
-  const auto protocol = *protocols::loadProtocolFile("two-devices", problems);
-  SystemClock clock;
-  Study::create(out_ / "other", protocol, clock, 7);
-  auto text = protocol.text;
-  const std::string title = "\"title\": \"";
-  text.insert(text.find(title) + title.size(), "Changed: ");
-  const auto file = out_.write("changed.json", text);
-  AmendDialog dialog(summaryOf(out_ / "other"));
-  auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
-  dialog.findChild<PathField*>()->setPath(QString::fromStdString(file));
-  EXPECT_FALSE(go->isEnabled()) << "without a reason";
-  dialog.findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("a new title"));
-  press(dialog, file);
-  EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
-  auto study = Study::open(out_ / "other", clock, storage::Database::Access::ReadOnly);
-  EXPECT_EQ(study.protocol().text, text);
-  tests::photographInAllThemes(dialog, QStringLiteral("amend"));
-}
-
-TEST_F(StudyDialogsTest, AmendmentKeepsTheTextsOfTheStudy) {
-  questionnaires::Problems problems;
-  const auto shipped = *protocols::loadProtocolFile("punch-face-validity", problems);
-  questionnaires::BlankTexts texts;
-  for (const auto& blank : protocols::blanksOf(shipped)) {
-    texts[blank.key] = questionnaires::LocalizedText({{"en", "our words"}, {"de", "eigenes"}});
-  }
-  const auto filled = *protocols::withTexts(shipped, texts, problems);
-  SystemClock clock;
-  Study::create(out_ / "other", filled, clock, 7);
-  auto text = shipped.text;
-  const std::string title = "\"title\": \"";
-  text.insert(text.find(title) + title.size(), "Changed: ");
-  const auto file = out_.write("changed.json", text);
-  AmendDialog dialog(summaryOf(out_ / "other"));
-  dialog.findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("a new title"));
-  press(dialog, file);
-  EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
-  auto study = Study::open(out_ / "other", clock, storage::Database::Access::ReadOnly);
-  EXPECT_TRUE(study.protocol().protocol.study.title.starts_with("Changed: "));
-  EXPECT_EQ(study.protocol().protocol.texts, texts);
-  EXPECT_EQ(summaryOf(out_ / "other").blanks, 0U);
-}
-
 TEST_F(StudyDialogsTest, SayEveryCheckOfAVerificationInEveryLanguage) {
   SystemClock clock;
   auto opened = Study::open(study(), clock, storage::Database::Access::ReadOnly);
@@ -366,30 +321,6 @@ TEST_F(StudyDialogsTest, OfferAReportInTheLanguageOfTheDesk) {
     return box->currentData() == QVariant(QStringLiteral("de"));
   }));
   setDeskLanguage("en");
-}
-
-TEST_F(StudyDialogsTest, AmendmentReadsItsFileAgainWhenItChanges) {
-  questionnaires::Problems problems;
-  const auto protocol = *protocols::loadProtocolFile("two-devices", problems);
-  SystemClock clock;
-  Study::create(out_ / "other", protocol, clock, 7);
-  const auto file = out_.write("same.json", protocol.text);
-  AmendDialog dialog(summaryOf(out_ / "other"));
-  auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
-  auto* reason = dialog.findChild<QLineEdit*>(QStringLiteral("reason"));
-  reason->setText(QStringLiteral("a new title"));
-  press(dialog, file);
-  EXPECT_TRUE(outcome(dialog).contains(QStringLiteral("uses already")));
-  reason->setText(QStringLiteral("another reason"));
-  EXPECT_FALSE(go->isEnabled()) << "the file is the same as before";
-  out_.write("same.json", "{");
-  QTRY_VERIFY(outcome(dialog).contains(QStringLiteral("Not valid yet")));
-  auto text = protocol.text;
-  const std::string title = "\"title\": \"";
-  text.insert(text.find(title) + title.size(), "Changed: ");
-  out_.write("same.json", text);
-  QTRY_VERIFY(outcome(dialog).contains(QStringLiteral("Valid")));
-  EXPECT_TRUE(go->isEnabled());
 }
 
 TEST_F(StudyDialogsTest, SayWhyTheyCannotStart) {
