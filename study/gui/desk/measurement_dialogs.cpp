@@ -9,7 +9,6 @@
 #include <QRegularExpression>
 #include <QScreen>
 
-#include "haptics/models/interpolation.h"
 #include "study/gui/desk/measurement_work.h"
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/desk_language.h"
@@ -51,8 +50,10 @@ QString newFile(const char* name, const char* extension) {
       QDir(documentsFolder()).filePath(QString::fromUtf8(name)), QString::fromUtf8(extension));
 }
 
-/// Leaves a free name in @p field for the next file: "my-cut.json" → "my-cut-2.json".
-void nameNext(PathField& field) {
+/// Gives @p field a free name for the next file, where the last one has been @p written to its
+/// path: "my-cut.json" → "my-cut-2.json".
+void nameNext(PathField& field, const QString& written) {
+  if (field.path() != written || written.isEmpty()) return;
   static const QRegularExpression kNumber(QStringLiteral("-\\d+$"));
   const QFileInfo file(field.path());
   const auto start = file.completeBaseName().remove(kNumber);
@@ -100,10 +101,8 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   form().addRow(tr("Largest slope"), slope_);
   form().addRow(quietLabel(
       tr("Steeper parts of the cut are flattened to it. %1 is the largest stiffness in the cuts of "
-         "the punch paper, at which its device stays stable. The published code also limits the "
-         "force to %2 N.")
-          .arg(usualSlope)
-          .arg(haptics::models::Interpolation<double>::kAuthorsMaxForce),
+         "the punch paper, at which its device stays stable.")
+          .arg(usualSlope),
       this));
   form().addRow(tr("To a new file"), target_);
   form().addRow(cutPlot_->summary());
@@ -187,6 +186,7 @@ void ImportCutDialog::preview() {
       cutPlot_->show(shown->trace, imported);
       const auto& closures = imported.report.closures;
       if (!closures.empty()) taken = static_cast<int>(closures.front());
+      if (cut_->value() == 0) cut_->setSpecialValueText(tr("the most typical: %1").arg(taken));
     } catch (const UserError& error) {
       isImportPossible_ = false;
       showOutcome(
@@ -211,6 +211,7 @@ void ImportCutDialog::updateButton() {
 }
 
 void ImportCutDialog::work() {
+  nameNext(*target_, written_);
   const auto recording = recording_->path().toStdString();
   const auto target = target_->path().toStdString();
   // Widgets are read here, and not in the thread of the work.
@@ -233,7 +234,7 @@ void ImportCutDialog::work() {
                 : tr("Cut saved: %1").arg(target_->path()),
       more,
       isAltered ? Outcome::Warning : Outcome::Good);
-  nameNext(*target_);
+  written_ = target_->path();
 }
 
 FitMaterialDialog::FitMaterialDialog(QWidget* parent)
@@ -272,6 +273,7 @@ FitMaterialDialog::FitMaterialDialog(QWidget* parent)
 }
 
 void FitMaterialDialog::work() {
+  nameNext(*target_, written_);
   const auto series = series_->path().toStdString();
   const auto title = title_->text().toStdString();
   const auto target = target_->path().toStdString();
@@ -300,7 +302,7 @@ void FitMaterialDialog::work() {
         {tr("Left out: %1").arg(asText(one.name + ": " + one.exclusion.words)), Mark::Warning});
   }
   showWrittenFile(target_->path(), tr("Material saved: %1").arg(target_->path()), notes);
-  nameNext(*target_);
+  written_ = target_->path();
   runButton().setText(tr("Fit again"));
 }
 
@@ -312,16 +314,14 @@ void FitMaterialDialog::showResult(const haptics::reaming::MaterialFit& fit) {
   };
   DataTable table{
       .name = "material-errors",
-      .description =
-          tr("Largest error of the fit [% of the measured force, or of 10 N where that is more]")
-              .toStdString(),
+      .description = tr("Largest error of the fit [%]").toStdString(),
       .columns = {
           words(tr("Test")),
           number(tr("Series")),
           number(tr("Depth [mm]")),
-          number(tr("Curve of the smallest force")),
-          number(tr("Curve of the mean force")),
-          number(tr("Curve of the largest force"))}};
+          number(tr("Minimum")),
+          number(tr("Mean")),
+          number(tr("Maximum"))}};
   for (const auto& test : fit.sets) {
     const auto& [minimum, average, maximum] = errorsOf(test);
     table.rows.push_back(
@@ -332,7 +332,10 @@ void FitMaterialDialog::showResult(const haptics::reaming::MaterialFit& fit) {
          cell(100.0 * average, 1),
          cell(100.0 * maximum, 1)});
   }
-  result_->show({}, {table});
+  const auto meaning =
+      tr("A fit has a curve each for the minimum, the mean and the maximum force of its series. "
+         "Its error is in percent of the measured force; below 10 N, in percent of 10 N.");
+  result_->show({.finding = {}, .more = meaning.toStdString()}, {table});
 }
 
 BuildBoneDialog::BuildBoneDialog(QWidget* parent)
@@ -366,6 +369,7 @@ BuildBoneDialog::BuildBoneDialog(QWidget* parent)
 }
 
 void BuildBoneDialog::work() {
+  nameNext(*target_, written_);
   const auto spheres = static_cast<std::size_t>(spheres_->value());
   const auto seed = static_cast<std::uint64_t>(seed_->value());
   const auto target = target_->path().toStdString();
@@ -390,7 +394,7 @@ void BuildBoneDialog::work() {
        {tr("Synthetic: nobody measured this bone."), Mark::Warning},
        {tr("It has no densities yet: the help says how to give it those of a material (On the "
            "command line).")}});
-  nameNext(*target_);
+  written_ = target_->path();
 }
 
 }  // namespace study::gui

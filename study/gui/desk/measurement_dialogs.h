@@ -41,6 +41,7 @@ class ImportCutDialog final : public WorkDialog {
   QSpinBox* cut_;
   QDoubleSpinBox* slope_;
   PathField* target_;
+  QString written_;  ///< path of the last file that was saved; empty before
   RecordingPlot* recordingPlot_;
   CutPlot* cutPlot_;
   bool isImportPossible_ = false;  ///< a cut can be taken
@@ -62,6 +63,7 @@ class FitMaterialDialog final : public WorkDialog {
   PathField* series_;
   QLineEdit* title_;
   PathField* target_;
+  QString written_;  ///< path of the last file that was saved; empty before
   ResultView* result_;
 };
 
@@ -79,6 +81,7 @@ class BuildBoneDialog final : public WorkDialog {
   QSpinBox* spheres_;
   QSpinBox* seed_;
   PathField* target_;
+  QString written_;  ///< path of the last file that was saved; empty before
 };
 
 }  // namespace study::gui

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
+#include "haptics/models/interpolation.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/plot_axes.h"
 #include "study/gui/widgets/read_only_table.h"
@@ -230,7 +231,7 @@ std::vector<std::pair<QString, std::optional<CurvePoint>>> namedLandmarks(
       {CutPlot::tr("interception"), found.interception},
       {CutPlot::tr("yield"), found.yield},
       {CutPlot::tr("bottom-out"), found.bottomOut},
-      {CutPlot::tr("opening"), found.opening}};
+      {CutPlot::tr("opening begins"), found.opening}};
 }
 
 void fill(QTableWidget& table, const CutLandmarks& landmarks) {
@@ -278,7 +279,16 @@ QTableWidget* landmarkTable(QWidget* parent) {
 QString describeChange(const haptics::recordings::ImportedCut& imported) {
   const auto& [cut, report] = imported;
   if (!report.isAltered()) {
-    return CutPlot::tr("No part of this cut is that steep: it keeps the recorded shape.");
+    const auto kept =
+        CutPlot::tr("No part of this cut is that steep: it keeps the recorded shape.");
+    constexpr double kMost = haptics::models::Interpolation<double>::kAuthorsMaxForce;
+    const auto& nodes = cut.curve.nodes();
+    const bool isAbove =
+        std::ranges::any_of(nodes, [](const auto& point) { return point.force > kMost; });
+    if (!isAbove) return kept;
+    return kept + QLatin1Char(' ') +
+           CutPlot::tr("Protocols that render the published code limit its force to %1 N.")
+               .arg(kMost);
   }
   return CutPlot::tr(
              "The cut is not what was recorded: %1. Slopes above %2 N per travel unit are limited; "
@@ -321,7 +331,7 @@ CutPlot::CutPlot(QWidget* parent)
   plot_->setMinimumHeight(heightOfPlotOn(*screen()));
   plot_->setAccessibleName(tr("Force over travel"));
   alignAxes(*plot_->axisRect(), 5);
-  plot_->xAxis->setLabel(tr("travel (0 is open, 10 is closed)"));
+  plot_->xAxis->setLabel(tr("travel (0 is open, about 10 is closed)"));
   plot_->yAxis->setLabel(tr("force [N]"));
   plot_->legend->setVisible(true);
   plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
@@ -365,13 +375,26 @@ void CutPlot::show(
     plot_->graph(Rendered)->addData(point.travel, point.force);
   }
   const auto& found = cut.landmarks;
-  for (const auto& point : {found.interception, found.yield, found.bottomOut, found.opening}) {
-    if (point) plot_->graph(Landmarks)->addData(point->travel, point->force);
+  plot_->clearItems();
+  for (const auto& [name, point] : namedLandmarks(found)) {
+    if (!point) continue;
+    plot_->graph(Landmarks)->addData(point->travel, point->force);
+    auto* label = new QCPItemText(plot_);
+    label->position->setCoords(point->travel, point->force);
+    // Above and left of its diamond; the curve goes on to the left of the bottom-out.
+    const bool isBelow = point->force == (found.bottomOut ? found.bottomOut->force : -1.0);
+    label->setPositionAlignment(Qt::AlignRight | (isBelow ? Qt::AlignTop : Qt::AlignBottom));
+    label->setPadding({0, 6, 8, 4});  // [px]
+    label->setColor(themeOf(*this).field.text);
+    label->setText(name);
   }
   plot_->rescaleAxes();
   constexpr double kMargin = 1.08;  // the marks at the ends are not cut off
   plot_->xAxis->scaleRange(kMargin);
   plot_->yAxis->scaleRange(kMargin);
+  constexpr double kForNames = 0.12;  // of the height, above the highest mark
+  plot_->yAxis->setRangeUpper(
+      plot_->yAxis->range().upper + kForNames * plot_->yAxis->range().size());
   setRole(*change_, report.isAltered() ? "warn" : "quiet");
   change_->setText(
       (report.isAltered() ? QStringLiteral("!  ") : QString()) + describeChange(imported));
