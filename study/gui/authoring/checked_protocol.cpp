@@ -55,10 +55,9 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 
 QString contentsOf(const protocols::Protocol& protocol) {
   return QString::fromStdString(translated(
-      "\"{}\", {}, {}, {}.",
+      "\"{}\", {}, {}.",
       protocol.study.title,
       counted(protocol.conditions.size(), "{} condition", "{} conditions"),
-      counted(protocol.phases.size(), "{} phase", "{} phases"),
       counted(protocol.cohorts.size(), "{} cohort", "{} cohorts")));
 }
 

@@ -1,9 +1,11 @@
 #include "study/gui/authoring/preview_window.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSplitter>
@@ -27,6 +29,20 @@ namespace {
 constexpr std::uint64_t kSeed = 1;
 
 constexpr QSize kSizes[]{{1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1440}, {3840, 2160}};
+
+/// A step by the title of the page that it shows; by its phase, if several steps show that page.
+QString titleOf(const Step& step, const protocols::LoadedProtocol& loaded) {
+  const auto words = describe(step, loaded.protocol.labels);
+  const auto* phase = loaded.protocol.phase(step.phase);
+  const bool hasPage = phase != nullptr && step.kind != StepKind::Trial &&
+                       step.kind != StepKind::Questionnaire && !step.isOptionalTrial;
+  const auto* shown = hasPage ? loaded.instrument(phase->instrument) : nullptr;
+  if (shown == nullptr) return words;
+  const auto title = QString::fromStdString(shown->title.in(deskLanguage()));
+  const auto uses =
+      std::ranges::count(loaded.protocol.phases, phase->instrument, &protocols::Phase::instrument);
+  return uses == 1 ? title : QStringLiteral("%1 (%2)").arg(title, words);
+}
 
 /// Begins a session in the study in @p folder and lets a simulated participant go to @p step.
 SessionId sessionAt(const std::string& folder, const std::string& language, int step) {
@@ -158,11 +174,8 @@ void PreviewWindow::makeBar(QVBoxLayout& layout) {
   looks->addWidget(languages_);
   looks->addWidget(sizes_);
   looks->addStretch(1);
-  auto* whose = new QLabel(tr("Preview in"), this);
-  looks->insertWidget(0, whose);
-  for (QWidget* shown : {static_cast<QWidget*>(whose), static_cast<QWidget*>(languages_)}) {
-    shown->setVisible(languages_->count() > 1);
-  }
+  languagesLabel_ = new QLabel(tr("Preview in"), this);
+  looks->insertWidget(0, languagesLabel_);
   bar_->addLayout(pages);
   bar_->addLayout(looks, 1);
   layout.addLayout(bar_);
@@ -185,9 +198,8 @@ void PreviewWindow::fillSteps() {
   const QSignalBlocker quiet(steps_);
   int number = 0;
   for (const auto& step : previewSession_->controller.session().plan()) {
-    steps_->addItem(QStringLiteral("%1  %2")
-                        .arg(++number, 2, 10, kFigureSpace)
-                        .arg(describe(step, loaded_.protocol.labels)));
+    steps_->addItem(
+        QStringLiteral("%1  %2").arg(++number, 2, 10, kFigureSpace).arg(titleOf(step, loaded_)));
   }
   steps_->addItem(tr("End"));
   steps_->setCurrentRow(0);
@@ -196,8 +208,11 @@ void PreviewWindow::fillSteps() {
 void PreviewWindow::goTo(int step) {
   const auto folder = folder_->filePath(QStringLiteral("study")).toStdString();
   if (previewSession_) {
-    previewSession_->controller.disconnect(this);
+    auto& controller = previewSession_->controller;
+    controller.disconnect(this);
     scroll_->takeWidget();  // previewSession_ owns it
+    // The next session takes the same place, with the same order and labels.
+    if (!controller.session().isOver()) controller.withdraw(QStringLiteral("another page"));
   }
   previewSession_.reset();
   const auto id = sessionAt(folder, language(), step);
@@ -213,6 +228,11 @@ void PreviewWindow::showSession() {
   chooseSize();
   page->show();
   const auto* controller = &previewSession_->controller;
+  connect(controller, &SessionController::languageChanged, this, [this, controller] {
+    const QSignalBlocker quiet(languages_);
+    gui::chooseLanguage(*languages_, controller->session().language());
+    translator_.speak(language());
+  });
   connect(controller, &SessionController::stepChanged, this, &PreviewWindow::updateStep);
   connect(controller, &SessionController::failed, this, [this](const QString& why) {
     messageLabel_->setText(why);
@@ -224,6 +244,12 @@ void PreviewWindow::updateStep() {
   const auto& controller = previewSession_->controller;
   const auto& session = controller.session();
   stopKey_.setArmed(controller.isTrialRunning());
+  // The first page has a choice of its own, as it has for participants.
+  const bool isOnPage = session.stepIndex() == 0 && !session.isOver();
+  for (QWidget* choice :
+       {static_cast<QWidget*>(languagesLabel_), static_cast<QWidget*>(languages_)}) {
+    choice->setVisible(languages_->count() > 1 && !isOnPage);
+  }
   messageLabel_->setText(
       session.state() == SessionState::Interrupted
           ? tr("The trial broke off. In a session the operator would decide; choose a page here.")

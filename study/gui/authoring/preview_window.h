@@ -55,6 +55,7 @@ class PreviewWindow final : public QMainWindow {
   StopKey stopKey_;
   CutKey cutKey_;
   QListWidget* steps_;
+  QLabel* languagesLabel_ = nullptr;
   QComboBox* languages_;
   QComboBox* sizes_;
   QString blanks_;  ///< says how many blanks the texts have; empty: none

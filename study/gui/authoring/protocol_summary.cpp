@@ -1,6 +1,8 @@
 #include "study/gui/authoring/protocol_summary.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <QCoreApplication>
@@ -9,6 +11,7 @@
 #include "study/gui/authoring/checked_protocol.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
+#include "study/results/apa_text.h"
 #include "study/session/session_length.h"
 
 namespace study::gui {
@@ -72,6 +75,44 @@ QStringList partsOf(const protocols::Protocol& protocol) {
   return lines;
 }
 
+/// How many items of @p use each condition gets, where conditions get different ones; empty where
+/// all get the same.
+QString itemsByCondition(const protocols::LoadedProtocol& loaded, const std::string& instrument) {
+  std::map<std::string, std::set<std::string>> asked;
+  for (const auto& phase : loaded.protocol.phases) {
+    for (const auto& use : phase.trials.questionnaires) {
+      if (use.instrument != instrument) continue;
+      for (const auto& condition : phase.trials.conditions) {
+        for (const auto& item : loaded.instrument(instrument)->itemsOf(use.itemSetFor(condition))) {
+          asked[condition].insert(item.id);
+        }
+      }
+    }
+  }
+  const bool areSame = std::ranges::all_of(
+      asked, [&](const auto& each) { return each.second == asked.begin()->second; });
+  if (areSame) return {};
+  const auto count = asked.begin()->second.size();
+  const bool areAsMany =
+      std::ranges::all_of(asked, [&](const auto& each) { return each.second.size() == count; });
+  return areAsMany ? tr("; %1 about each condition, not the same ones").arg(count)
+                   : tr("; conditions get different ones");
+}
+
+QStringList analysesOf(const protocols::LoadedProtocol& loaded) {
+  QStringList lines;
+  const auto words = words::wordsIn(deskLanguage());
+  for (const auto& family : loaded.protocol.analysis.families) {
+    if (family.comparisons.empty()) continue;
+    lines << tr("%1: %2 comparisons by %3, α = %4")
+                 .arg(QString::fromStdString(family.title))
+                 .arg(family.comparisons.size())
+                 .arg(QString::fromStdString(declaredInWords(family, words)))
+                 .arg(family.alpha);
+  }
+  return lines;
+}
+
 QStringList questionnairesOf(const protocols::LoadedProtocol& loaded) {
   QStringList lines;
   std::set<std::string> seen;
@@ -79,8 +120,9 @@ QStringList questionnairesOf(const protocols::LoadedProtocol& loaded) {
     const auto* instrument = loaded.instrument(use.instrument);
     if (instrument->items.empty() || !seen.insert(use.instrument).second) continue;
     lines << tr("%1: %2 questions")
-                 .arg(QString::fromStdString(instrument->title.in(deskLanguage())))
-                 .arg(instrument->items.size());
+                     .arg(QString::fromStdString(instrument->title.in(deskLanguage())))
+                     .arg(instrument->items.size()) +
+                 itemsByCondition(loaded, use.instrument);
   }
   return lines;
 }
@@ -99,11 +141,13 @@ QString protocolSummary(const protocols::LoadedProtocol& loaded) {
           .arg(std::ceil(length.seconds / 60.0))
           .arg(std::ceil(length.secondsOnDevice / 60.0)),
       tr("Languages: %1").arg(languages.join(QStringLiteral(", ")))};
-  return QString::fromStdString(protocol.study.description) + QLatin1Char('\n') +
-         section(tr("Participants"), cohortsOf(protocol)) + section(tr("A session"), session) +
+  return section(tr("Participants"), cohortsOf(protocol)) + section(tr("A session"), session) +
          section(tr("What is compared"), conditionsOf(loaded)) +
+         section(tr("Declared analysis"), analysesOf(loaded)) +
          section(tr("In which order"), partsOf(protocol)) +
-         section(tr("Questions"), questionnairesOf(loaded));
+         section(tr("Questions"), questionnairesOf(loaded)) +
+         QStringLiteral("\n## %1\n\n%2\n")
+             .arg(tr("Description"), QString::fromStdString(protocol.study.description));
 }
 
 }  // namespace study::gui

@@ -59,7 +59,7 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
       readAtLabel_(quietLabel({}, this)),
       previewButton_(new QPushButton(tr("Preview as participant…"), this)),
       fillButton_(new QPushButton(tr("Fill in the texts…"), this)),
-      copyButton_(new QPushButton(tr("Save as…"), this)),
+      copyButton_(new QPushButton(tr("Save a copy…"), this)),
       showSourceButton_(new QPushButton(tr("Show source"), this)),
       summary_(bodyLabel({}, this)),
       text_(new QPlainTextEdit(this)),
@@ -193,7 +193,7 @@ QStringList ProtocolWindow::filesToWatch() const {
 }
 
 void ProtocolWindow::reload() {
-  checked_ = checkProtocol(source_.toStdString());
+  checked_ = checkProtocol(source_.toStdString(), filled_ ? &*filled_ : nullptr);
   watch_.watch(filesToWatch());
   const QString now = QTime::currentTime().toString(QStringLiteral("HH:mm:ss"));
   readAtLabel_->setText(
@@ -222,8 +222,14 @@ void ProtocolWindow::reload() {
 
 void ProtocolWindow::showSource(const QString& source) {
   source_ = source;
+  filled_.reset();
   const auto name = QFileInfo(source_).fileName();
   setWindowTitle(tr("Protocol — %1").arg(name));
+  reload();
+}
+
+void ProtocolWindow::keepTextsOf(const protocols::LoadedProtocol& filled) {
+  filled_ = filled;
   reload();
 }
 
@@ -257,15 +263,27 @@ bool ProtocolWindow::hasWeaknesses() const {
   return checked_.warnings() > (blanksLeft(*checked_.loaded) > 0 ? 1 : 0);
 }
 
+/// What is found first in results: that conditions are judged by different statements; otherwise
+/// the first warning on the design.
+QString ProtocolWindow::gravestProblem() const {
+  const auto& problems = checked_.problems;
+  auto found = std::ranges::find_if(
+      problems, [](const auto& problem) { return problem.what.key() == "unlike_statements"; });
+  if (found == problems.end())
+    found = hasWeaknesses() && blanksLeft(*checked_.loaded) > 0 ? problems.begin() + 1
+                                                                : problems.begin();
+  return checked_.inWords(found->what);
+}
+
 void ProtocolWindow::showVerdict() {
   const bool isUsable = checked_.loaded.has_value();
   showMarked(
       *verdict_,
       checked_.mark(),
-      QString::fromStdString(checked_.verdict()) + (checked_.mark() != Mark::Warning ? QString()
-                                                    : checked_.warnings() == 1
-                                                        ? tr(". It is listed under Problems.")
-                                                        : tr(". They are listed under Problems.")));
+      QString::fromStdString(checked_.verdict()) +
+          (checked_.mark() == Mark::Warning
+               ? tr(", under Problems. The first: %1.").arg(gravestProblem())
+               : QString()));
   aboutProblems_->setText(
       checked_.problems.empty() ? tr("Nothing was found.")
       : isUsable && isShipped() && hasWeaknesses()
@@ -290,6 +308,14 @@ void ProtocolWindow::showText() {
   mark(-1);
 }
 
+/// The place of a problem, with a capital unless it begins with the name of a file.
+QString ProtocolWindow::placeOf(const questionnaires::Problem& problem) const {
+  const auto place = checked_.placeInWords(problem.path);
+  const auto file = problem.path.substr(0, problem.path.find(' '));
+  const bool isFile = !file.empty() && place.startsWith(QString::fromStdString(file));
+  return isFile ? place : capitalised(place);
+}
+
 void ProtocolWindow::showProblems() {
   const QSignalBlocker quiet(problems_);
   problems_->setRowCount(static_cast<int>(checked_.problems.size()));
@@ -299,7 +325,7 @@ void ProtocolWindow::showProblems() {
     const bool isError = problem.severity == Severity::Error;
     const QString cells[]{
         signOf(isError ? Mark::Bad : Mark::Warning),
-        capitalised(checked_.placeInWords(problem.path)),
+        placeOf(problem),
         capitalised(checked_.inWords(problem.what)),
         capitalised(checked_.inWords(problem.fix))};
     for (int column = 0; column < 4; ++column) {

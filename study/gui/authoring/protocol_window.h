@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
@@ -26,6 +28,9 @@ class ProtocolWindow final : public QMainWindow {
   /// @param source  a path, or the name of a built-in protocol.
   explicit ProtocolWindow(const QString& source, QWidget* parent = nullptr);
 
+  /// Shows the protocol with the texts of @p filled where the file leaves them empty.
+  void keepTextsOf(const protocols::LoadedProtocol& filled);
+
   const CheckedProtocol& checked() const noexcept { return checked_; }
   /// The highlighted line, from 0; −1: none.
   int markedLine() const noexcept { return markedLine_; }
@@ -46,6 +51,8 @@ class ProtocolWindow final : public QMainWindow {
   QHBoxLayout* makeButtons();
   void connectAll();
   bool hasWeaknesses() const;
+  QString gravestProblem() const;
+  QString placeOf(const questionnaires::Problem& problem) const;
   void showVerdict();
   void showProblems();
   void showText();
@@ -61,6 +68,7 @@ class ProtocolWindow final : public QMainWindow {
   void fillInTexts();
 
   QString source_;
+  std::optional<protocols::LoadedProtocol> filled_;  ///< see keepTextsOf()
   CheckedProtocol checked_;
   FileWatch watch_;
   QLabel* title_;

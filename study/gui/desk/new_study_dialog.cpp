@@ -9,7 +9,6 @@
 
 #include "protocols/load_protocol.h"
 #include "study/gui/authoring/preview_window.h"
-#include "study/gui/authoring/save_own_protocol.h"
 #include "study/gui/authoring/texts_dialog.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/studio_settings.h"
@@ -32,8 +31,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
       seed_(new QLineEdit(this)),
       checkProtocolButton_(new QPushButton(tr("Check protocol…"), this)),
       previewButton_(new QPushButton(tr("Preview…"), this)),
-      fillButton_(new QPushButton(tr("Fill in the texts…"), this)),
-      copyButton_(new QPushButton(tr("Save as…"), this)) {
+      fillButton_(new QPushButton(tr("Fill in the texts…"), this)) {
   protocol_->setObjectName(QStringLiteral("protocol"));
   for (const auto& name : protocols::libraryProtocols()) {
     const QString words = QString::fromStdString(name);
@@ -48,14 +46,12 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
       new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{0,15}")), seed_));
   file_->startIn(protocolFolder());
   fillButton_->setObjectName(QStringLiteral("texts"));
-  copyButton_->setObjectName(QStringLiteral("save-as"));
-  copyButton_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
   previewButton_->setObjectName(QStringLiteral("preview"));
   auto* actions = new QWidget(this);
   auto* looks = new QHBoxLayout(actions);
   looks->setContentsMargins(0, 0, 0, 0);
   looks->setSpacing(8);
-  for (auto* button : {checkProtocolButton_, previewButton_, fillButton_, copyButton_}) {
+  for (auto* button : {checkProtocolButton_, previewButton_, fillButton_}) {
     button->setAutoDefault(false);
     button->setProperty("role", QStringLiteral("tool"));
     looks->addWidget(button);
@@ -63,7 +59,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   looks->addStretch(1);
   form().addRow(tr("Protocol"), protocol_);
   form().addRow(tr("Protocol file"), file_);
-  form().addRow(actions);
+  form().addRow(QString(), actions);
   form().addRow(tr("New folder"), folder_);
   form().addRow(QString(), advanced_);
   form().addRow(tr("Random seed (optional)"), seed_);
@@ -80,12 +76,11 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   connect(folder_, &PathField::pathChanged, this, &NewStudyDialog::updateButton);
   connect(&watch_, &FileWatch::changed, this, &NewStudyDialog::check);
   connect(checkProtocolButton_, &QPushButton::clicked, this, [this] {
-    emit protocolRequested(source());
+    emit protocolRequested(source(), checked_.loaded ? &*checked_.loaded : nullptr);
   });
   connect(
       previewButton_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
   connect(fillButton_, &QPushButton::clicked, this, &NewStudyDialog::fillInTexts);
-  connect(copyButton_, &QPushButton::clicked, this, &NewStudyDialog::saveAs);
   check();
 }
 
@@ -102,7 +97,6 @@ void NewStudyDialog::setProtocolFile(const QString& file) {
 void NewStudyDialog::check() {
   const bool isOwn = protocol_->currentData().toString().isEmpty();
   form().setRowVisible(file_, isOwn);
-  copyButton_->setVisible(!isOwn);
   fit();
   watch_.watch(isOwn && !file_->path().isEmpty() ? QStringList{file_->path()} : QStringList());
   checked_ = {};
@@ -121,11 +115,6 @@ void NewStudyDialog::fillInTexts() {
   checked_ = checkedProtocol(
       std::move(checked_.source), std::move(checked_.text), std::move(filled), problems.all());
   showChecked();
-}
-
-void NewStudyDialog::saveAs() {
-  const auto file = saveAsOwn(*checked_.loaded, this);
-  if (!file.isEmpty()) setProtocolFile(file);
 }
 
 void NewStudyDialog::showChecked() {

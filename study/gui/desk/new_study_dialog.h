@@ -25,7 +25,8 @@ class NewStudyDialog final : public WorkDialog {
  signals:
   void created(const QString& folder);
   /// The user wants to see the protocol's text beside its problems.
-  void protocolRequested(const QString& source);
+  /// @param shown  the protocol with the texts that were filled in; nullptr: it has errors
+  void protocolRequested(const QString& source, const protocols::LoadedProtocol* shown);
 
  protected:
   void work() override;
@@ -38,8 +39,6 @@ class NewStudyDialog final : public WorkDialog {
   /// Opens the form for the protocol's blanks. The study will be created with the texts of the
   /// form.
   void fillInTexts();
-  /// Saves the shipped protocol as one of the user's own, and chooses that.
-  void saveAs();
 
   CheckedProtocol checked_;
   FileWatch watch_;
@@ -51,7 +50,6 @@ class NewStudyDialog final : public WorkDialog {
   QPushButton* checkProtocolButton_;
   QPushButton* previewButton_;
   QPushButton* fillButton_;
-  QPushButton* copyButton_;  ///< of a shipped protocol
 };
 
 }  // namespace study::gui

@@ -473,8 +473,9 @@ void HomeWindow::askForProtocol() {
   openProtocolWindow(file);
 }
 
-void HomeWindow::openProtocolWindow(const QString& source) {
+void HomeWindow::openProtocolWindow(const QString& source, const protocols::LoadedProtocol* shown) {
   auto* window = new ProtocolWindow(source);
+  if (shown != nullptr) window->keepTextsOf(*shown);
   window->setAttribute(Qt::WA_DeleteOnClose);
   window->setAttribute(Qt::WA_QuitOnClose, false);  // the program ends with the home window
   connect(this, &QObject::destroyed, window, &QObject::deleteLater);

@@ -9,6 +9,7 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include "protocols/model/loaded_protocol.h"
 #include "study/gui/home/study_list.h"
 #include "study/gui/home/study_panel.h"
 #include "study/gui/home/welcome.h"
@@ -39,7 +40,8 @@ class HomeWindow final : public QMainWindow {
   void openStudy(const QString& folder, std::optional<SessionId> session = std::nullopt);
   void makeStudy();
   void chooseFolder();
-  void openProtocolWindow(const QString& source);
+  /// @param shown  the protocol with texts that are not in the file yet; nullptr: none
+  void openProtocolWindow(const QString& source, const protocols::LoadedProtocol* shown = nullptr);
   void showTour();
   void testComputer();
 

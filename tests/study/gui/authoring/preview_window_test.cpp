@@ -59,6 +59,21 @@ TEST(PreviewWindow, HasTheLanguageAndTheSizeThatAreChosen) {
   tests::photographInAllThemes(preview, QStringLiteral("preview"));
 }
 
+TEST(PreviewWindow, KeepsTheOrderAndTheLabelsOfThePageBefore) {
+  PreviewWindow preview(shipped("punch-counterbalanced"));
+  preview.show();
+  const auto labels = [&] {
+    std::vector<int> all;
+    for (const auto& step : preview.controller().session().plan()) all.push_back(step.label);
+    return all;
+  };
+  const auto first = labels();
+  for (const int step : {6, 9, 2}) {
+    preview.goTo(step);
+    EXPECT_EQ(labels(), first) << step;
+  }
+}
+
 TEST(PreviewWindow, ShowsWholePagesUntilASizeIsChosen) {
   PreviewWindow preview(shipped("punch-face-validity"));
   preview.resize(1366, 768);

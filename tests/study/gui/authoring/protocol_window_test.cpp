@@ -25,6 +25,7 @@
 #include "study/gui/widgets/studio_settings.h"
 #include "study/session/session_length.h"
 #include "tests/study/gui/pictures.h"
+#include "tests/study/made_study.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -148,11 +149,23 @@ TEST_F(ProtocolWindowTest, GoesToTheLineOfAClickedProblem) {
   tests::photographInAllThemes(window, QStringLiteral("protocol-broken"));
 }
 
+TEST_F(ProtocolWindowTest, CountsNoBlanksThatWereFilledInBefore) {
+  ProtocolWindow window(QStringLiteral("punch-counterbalanced"));
+  EXPECT_EQ(window.checked().warnings(), 1) << "blanks";
+  window.keepTextsOf(tests::filledIn(*window.checked().loaded));
+  EXPECT_EQ(window.checked().warnings(), 0);
+}
+
 TEST_F(ProtocolWindowTest, ShowsASummaryFirstAndTheSourceOnRequest) {
   ProtocolWindow window(QStringLiteral("punch-face-validity"));
   window.show();
   const auto words = window.findChild<QLabel*>(QStringLiteral("summary"))->text();
-  for (const auto* part : {"Orthopaedic surgeons: 6 planned", "Interpolation", "Round 1"}) {
+  for (const auto* part :
+       {"Orthopaedic surgeons: 6 planned",
+        "Interpolation",
+        "Round 1",
+        "3 comparisons by Welch's t-test",
+        "9 questions; 3 about each condition, not the same ones"}) {
     EXPECT_TRUE(words.contains(QLatin1String(part))) << part << " in " << words.toStdString();
   }
   auto* text = window.findChild<QPlainTextEdit*>();
