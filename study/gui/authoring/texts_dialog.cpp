@@ -1,5 +1,6 @@
 #include "study/gui/authoring/texts_dialog.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QDialogButtonBox>
@@ -11,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "protocols/model/loaded_protocol.h"
+#include "questionnaires/reading/instrument_problems.h"
 #include "study/gui/participant/participant_window.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/fitting_scroll.h"
@@ -23,6 +25,7 @@ namespace {
 
 /// The key of the blank for how long data are kept [years]; the texts name the unit.
 constexpr std::string_view kYearsBlank = "data_kept_years";
+constexpr std::string_view kContactBlank = "contact";
 
 /// The session's duration by the timeline [min], rounded up to a multiple of five.
 std::string estimatedMinutes(const protocols::LoadedProtocol& loaded) {
@@ -32,11 +35,52 @@ std::string estimatedMinutes(const protocols::LoadedProtocol& loaded) {
   return std::to_string(std::lround(std::ceil(minutes / kRoundedTo) * kRoundedTo));
 }
 
+/// Every text that participants read, in the order of the session.
+std::vector<protocols::LocalizedText> textsFor(const protocols::LoadedProtocol& loaded) {
+  std::vector<protocols::LocalizedText> texts;
+  for (const auto& use : protocols::instrumentUses(loaded.protocol)) {
+    auto instrument = *loaded.instrument(use.instrument);
+    for (const auto& place : questionnaires::textPlacesOf(instrument)) {
+      texts.push_back(*place.texts.front());
+    }
+  }
+  for (const auto& phase : loaded.protocol.phases) texts.push_back(phase.text);
+  return texts;
+}
+
+/// The first sentence with the blank @p key, in @p language, with gaps for its blanks: "You may ask
+/// us to delete your data, until ____." Empty if it is nothing but blanks.
+QString sentenceWith(
+    const std::string& key,
+    const std::string& language,
+    const std::vector<protocols::LocalizedText>& texts) {
+  static const QRegularExpression kBlank(QStringLiteral("\\[\\[[^\\]]*\\]\\]"));
+  static const QRegularExpression kEnd(QStringLiteral("[.;] |\n"));
+  const auto blank = QStringLiteral("[[%1]]").arg(QString::fromStdString(key));
+  for (const auto& text : texts) {
+    const auto words = QString::fromStdString(text.in(language));
+    const auto place = words.indexOf(blank);
+    if (place < 0) continue;
+    qsizetype from = 0;
+    for (auto end = kEnd.match(words); end.hasMatch() && end.capturedEnd() <= place;
+         end = kEnd.match(words, end.capturedEnd())) {
+      from = end.capturedEnd();
+    }
+    const auto end = kEnd.match(words, place + blank.size());
+    auto sentence = words.mid(from, end.hasMatch() ? end.capturedStart() + 1 - from : -1);
+    const auto rest = QString(sentence).remove(kBlank);
+    const bool hasWords = std::ranges::any_of(rest, [](QChar c) { return c.isLetter(); });
+    return hasWords ? sentence.replace(kBlank, QStringLiteral("____")).simplified() : QString();
+  }
+  return {};
+}
+
 }  // namespace
 
 TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason, QWidget* parent)
     : QDialog(parent),
       protocolTexts_(loaded.protocol.texts),
+      participantTexts_(textsFor(loaded)),
       languages_(new QComboBox(this)),
       reason_(new QLineEdit(this)),
       progress_(quietLabel({}, this)),
@@ -56,6 +100,7 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
   form->setContentsMargins(0, 0, 8, 0);
   form->setRowWrapPolicy(QFormLayout::WrapAllRows);
   addFields(loaded, *form);
+  showSentences();
   reason_->setAccessibleName(tr("Reason for the change"));
   reason_->setObjectName(QStringLiteral("reason"));
   form->addRow(tr("Reason for the change, for the audit trail"), reason_);
@@ -113,10 +158,15 @@ void TextsDialog::addFields(const protocols::LoadedProtocol& loaded, QFormLayout
       field->setValidator(new QRegularExpressionValidator(kNumber, field));
       title += tr(" (a number)");
     }
+    if (blank.key == kContactBlank) {
+      field->setPlaceholderText(tr("e.g. Dr A. Example, University of X, a.example@x.org, +47 …"));
+    }
     field->setAccessibleName(title);
     auto* label = bodyLabel(title, this);
     label->setBuddy(field);
     form.addRow(label);  // a row of its own, which is as wide as the window
+    sentences_[blank.key] = quietLabel({}, this);
+    form.addRow(sentences_[blank.key]);
     form.addRow(field);
     fields_[blank.key] = field;
     connect(field, &QLineEdit::textChanged, this, &TextsDialog::showProgress);
@@ -145,10 +195,33 @@ void TextsDialog::showLanguage() {
     };
     // Other fields still have the words of the language before: they must not be stored yet.
     const QSignalBlocker quiet(field);
-    field->setPlaceholderText(shownLanguage_ == "en" ? QString() : text("en"));
+    if (shownLanguage_ != "en" || key != kContactBlank) {
+      field->setPlaceholderText(shownLanguage_ == "en" ? QString() : text("en"));
+    }
     field->setText(text(shownLanguage_));
   }
+  showSentences();
   showProgress();
+}
+
+void TextsDialog::showSentences() {
+  for (const auto& [key, label] : sentences_) {
+    const auto sentence = sentenceWith(key, shownLanguage_, participantTexts_);
+    label->setText(sentence);
+    label->setVisible(!sentence.isEmpty());
+  }
+}
+
+/// "English 10, Deutsch 2".
+QString TextsDialog::filledByLanguage() const {
+  QStringList counts;
+  for (int i = 0; i < languages_->count(); ++i) {
+    const auto tag = languages_->itemData(i).toString();
+    const auto filled = std::ranges::count_if(
+        typedTexts_, [&](const auto& typed) { return typed.second.count(tag.toStdString()) > 0; });
+    counts << QStringLiteral("%1 %2").arg(nativeName(tag)).arg(filled);
+  }
+  return counts.join(QStringLiteral(", "));
 }
 
 void TextsDialog::showProgress() {
@@ -162,10 +235,11 @@ void TextsDialog::showProgress() {
   const int all = static_cast<int>(typedTexts_.size());
   const bool hasReason = !reason_->isVisibleTo(this) || !reason().isEmpty();
   progress_->setText(
-      lacksEnglish ? tr("A text that is given in another language is also needed in English.")
-      : filled < all
-          ? tr("%1 of %2 are filled in. A live session needs them all.").arg(filled).arg(all)
-          : tr("All %1 are filled in.").arg(all));
+      lacksEnglish   ? tr("A text that is given in another language is also needed in English.")
+      : filled < all ? tr("Filled in of %1: %2. A live session needs them all in English.")
+                           .arg(all)
+                           .arg(filledByLanguage())
+                     : tr("All %1 are filled in: %2.").arg(all).arg(filledByLanguage()));
   if (!hasReason) progress_->setText(progress_->text() + QLatin1Char(' ') + tr("Give a reason."));
   saveButton_->setEnabled(!lacksEnglish && hasReason);
 }

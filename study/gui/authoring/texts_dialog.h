@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include <QComboBox>
 #include <QDialog>
@@ -42,12 +43,16 @@ class TextsDialog final : public QDialog {
  private:
   void addFields(const protocols::LoadedProtocol& loaded, QFormLayout& form);
   void showLanguage();
+  void showSentences();
+  QString filledByLanguage() const;
   void storeFields();
   void showProgress();
 
   questionnaires::BlankTexts protocolTexts_;
-  questionnaires::BlankTexts textsAtFirst_;   ///< of the form as it opens
-  std::map<std::string, QLineEdit*> fields_;  ///< by key
+  questionnaires::BlankTexts textsAtFirst_;                 ///< of the form as it opens
+  std::vector<protocols::LocalizedText> participantTexts_;  ///< with the blanks, to be shown
+  std::map<std::string, QLineEdit*> fields_;                ///< by key
+  std::map<std::string, QLabel*> sentences_;                ///< with a gap, above each field
   std::map<std::string, std::map<std::string, std::string>> typedTexts_;  ///< by key and language
   std::string shownLanguage_ = "en";  ///< the language of the fields
   QComboBox* languages_;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -395,6 +396,10 @@ TEST_F(HomeTest, KeepsTheTextsOfALanguageWhenAnotherIsShown) {
   const auto show = [&](const char* language) {
     languages->setCurrentIndex(languages->findData(QString::fromUtf8(language)));
   };
+  const auto labels = form.findChildren<QLabel*>();
+  EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* label) {
+    return label->text() == QStringLiteral("You may also ask us to delete your data, until ____.");
+  }));
   const auto duration = field("duration")->text();
   ASSERT_FALSE(duration.isEmpty());
   QTest::keyClicks(field("data_kept_years"), QStringLiteral("10 years"));
