@@ -165,7 +165,12 @@ std::string asHtml(const ErasureCertificate& certificate, const words::Words& wo
   for (const auto& [what, value] : CertificateRows(certificate, words).rows()) {
     html += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(what), escaped(value));
   }
-  html += fmt::format("</tbody></table>\n<p class=\"note\">{}</p>\n", words(kForOthers));
+  // As in the text, on a line of its own: the program reads it in this file as well.
+  html += fmt::format(
+      "</tbody></table>\n<p class=\"note\">{}</p>\n<p class=\"note\">\n{}{}\n</p>\n",
+      words(kForOthers),
+      kMark,
+      escaped(asLine(certificate.report.listed)));
   return htmlPage(words(kTitle), html, words.language());
 }
 

@@ -50,6 +50,7 @@ TEST(ErasureCertificate, TellsWhatWasErasedAndWhatIsLeft) {
 TEST(ErasureCertificate, TellsAnotherComputerWhatToErase) {
   const auto made = certificate();
   EXPECT_EQ(erasuresIn(asText(made)), std::vector<storage::ListedErasure>{made.report.listed});
+  EXPECT_EQ(erasuresIn(asHtml(made)), std::vector<storage::ListedErasure>{made.report.listed});
   EXPECT_TRUE(erasuresIn("erasure: nothing\n").empty());
 }
 
