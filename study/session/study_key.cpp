@@ -161,7 +161,7 @@ bool hasOnlyCopyOfKey(Study& study) {
 std::string keyStatusText(Study& study) {
   if (study.events().commitment().empty() || study.protocol().protocol.isOpenLabel) return {};
   if (!study.isSealed()) return "open: a version of palpate made it that did not seal conditions";
-  if (hasOnlyCopyOfKey(study)) return "sealed; this account has the only key: save a copy of it";
+  if (hasOnlyCopyOfKey(study)) return "sealed; only this account has the key: save a copy of it";
   const bool hasPassphrase = study.hasPassphrase();
   if (study.hasKey()) {
     return hasPassphrase ? "sealed; this account has the key, and a passphrase opens it"

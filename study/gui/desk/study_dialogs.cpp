@@ -105,7 +105,7 @@ BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
           parent),
       folder_(study.folder),
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)) {
-  target_->startIn(pathInHome(folder_, QStringLiteral("backup")));
+  target_->setPath(pathInHome(folder_, QStringLiteral("backup")));
   form().addRow(tr("To a new folder"), target_);
   sameDisk_ = addHint(tr("This is the disk of the study: if it fails, both are lost."));
   setRole(*sameDisk_, "warn");
@@ -232,7 +232,7 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
       language_(new QComboBox(this)),
       wording_(new QComboBox(this)),
       paper_(new QComboBox(this)),
-      quotes_(new QCheckBox(tr("With what participants wrote"), this)),
+      quotes_(new QCheckBox(tr("With what participants wrote: may point to a person"), this)),
       target_(new PathField(
           PathField::Kind::NewFile, tr("New file"), tr("Reports (*.html *.pdf)"), this)),
       figures_(new QCheckBox(tr("Each figure as SVG, PDF and PNG"), this)),

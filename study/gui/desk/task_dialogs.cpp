@@ -30,7 +30,6 @@ constexpr int kMostPlanned = 1000;
 constexpr int kPlanWidth = 900;  // [px]
 constexpr int kStatisticsWidth = 1240;
 
-}  // namespace
 /// "as planned: 6, 5", each number once.
 QString asPlanned(const StudySummary& study) {
   QStringList numbers;
@@ -43,6 +42,7 @@ QString asPlanned(const StudySummary& study) {
              : PlanDialog::tr("as planned: %1").arg(numbers.join(QStringLiteral(", ")));
 }
 
+}  // namespace
 
 AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
@@ -186,6 +186,12 @@ SimulateDialog::SimulateDialog(const StudySummary& study, QWidget* parent)
       already > 0 ? tr("Simulated participants in all (%1 so far)").arg(already)
                   : tr("Simulated participants"),
       participants_);
+  QStringList cohorts;
+  for (const auto& cohort : study.cohorts) {
+    if (cohort.planned == 0) continue;
+    cohorts << tr("%1: %2 planned").arg(QString::fromStdString(cohort.title)).arg(cohort.planned);
+  }
+  if (!cohorts.isEmpty()) addHint(cohorts.join(QStringLiteral("; ")));
 }
 
 void SimulateDialog::work() {
@@ -249,6 +255,10 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
     connect(number, &QDoubleSpinBox::valueChanged, this, [this] { setMain(true); });
   }
   form().addRow(fields);
+  form().addRow(quietLabel(
+      tr("d_z is the mean difference between two methods, divided by the standard deviation of the "
+         "participants’ differences."),
+      this));
   addResult(result_);
   result_->hide();
   widen(kPlanWidth);
@@ -282,10 +292,6 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
           tr("Means, the declared tests, preferences. The tables name every condition: do not open "
              "them if you must stay blinded."),
           tr("Show"),
-  form().addRow(quietLabel(
-      tr("d_z is the mean difference between two methods, divided by the standard deviation of the "
-         "participants’ differences."),
-      this));
           parent),
       folder_(study.folder),
       mode_(makeRunModeBox(study, this)),

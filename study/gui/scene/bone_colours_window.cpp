@@ -5,6 +5,8 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "study/gui/widgets/labels.h"
+
 namespace study::gui::scene {
 namespace {
 
@@ -28,7 +30,7 @@ BoneColoursWindow::BoneColoursWindow(
   colours_->addItem(
       tr("nothing, as participants see it"), static_cast<int>(SphereColours::Neutral));
   colours_->setAccessibleName(tr("What the colour shows"));
-  picture_->setMinimumSize(320, 220);
+  picture_->setMinimumSize(320, 190);
   picture_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setAccessibleName(tr("The bone, cut open along the reamer's axis"));
@@ -42,6 +44,8 @@ BoneColoursWindow::BoneColoursWindow(
   layout->addLayout(row);
   layout->addWidget(picture_, 1);
   layout->addWidget(legend_);
+  layout->addWidget(
+      quietLabel(tr("White: the reamer. The bone is cut open along its axis."), this));
 
   BoneColoursPainter::Changes past;
   if (trial_) {

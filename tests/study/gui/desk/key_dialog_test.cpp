@@ -54,7 +54,9 @@ TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
   EXPECT_FALSE(remark->parentWidget()->isHidden())
       << "what is lost without a copy, and how to make one";
   KeyDialog dialog(summary());
-  EXPECT_TRUE(the<QLabel>(dialog, "notice").text().contains(QStringLiteral("only key")));
+  EXPECT_TRUE(the<QLabel>(dialog, "notice")
+                  .text()
+                  .contains(QStringLiteral("only this account has the key")));
   auto& go = the<QPushButton>(dialog, "go");
   EXPECT_FALSE(go.isEnabled()) << "without a reason";
   the<QLineEdit>(dialog, "reason").setText(QStringLiteral("a copy"));

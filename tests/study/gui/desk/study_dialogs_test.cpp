@@ -344,6 +344,7 @@ TEST_F(StudyDialogsTest, SayWhyTheyCannotStart) {
     expectObstacle(*dialog, "There are no such sessions yet.");
   }
   BackupDialog backup(summary());
+  backup.findChild<PathField*>()->setPath(QString());
   expectObstacle(backup, "Choose a new folder.");
 }
 
