@@ -67,30 +67,37 @@ class RenderingWriter : HtmlWriter {
 
  private:
   void putManipulationCheck() {
+    const auto all = renderedForceDifferences(section_.curves);
+    // of one person, the mean over participants is that of all strokes
+    const bool isOfSeveral =
+        std::ranges::any_of(all, [](const auto& one) { return one.participants > 1; });
     table(
         say("Manipulation check: root mean square difference of the median forces"),
         {say("Pair"), say("All strokes [N]"), kN, say("By participant [N]"), say("95 % CI")});
     bool isAnyAlike = false;  // in all participants, so that an interval has no width
-    for (const auto& d : renderedForceDifferences(section_.curves)) {
-      isAnyAlike = isAnyAlike || (d.interval && !hasWidth(d.interval));
+    for (const auto& d : all) {
+      isAnyAlike = isAnyAlike || (d.interval && !hasWidth(*d.interval));
       row(
           {condition(d.condition1) + " vs. " + condition(d.condition2),
            rounded(d.pooled, 2),
            std::to_string(d.participants),
-           cellOf(d.mean, 2),
-           hasWidth(d.interval) ? cellOf(d.interval) : std::string()});
+           isOfSeveral ? cellOf(d.mean, 2) : std::string(),
+           d.interval && hasWidth(*d.interval) ? cellOf(d.interval) : std::string()});
     }
     endTable();
-    note(
-        "Both columns are over the same travel: what everyone who felt both alternatives passed "
-        "with both. A mean square is never below zero: also two alternatives that are alike differ "
-        "by what hands do differently from one stroke to the next.");
+    const auto sameTravel =
+        say("Both columns are over the same travel: what everyone who felt both alternatives "
+            "passed with both.");
+    const auto ofChance = say(
+        "A mean square is never below zero: also two alternatives that are alike differ by what "
+        "hands do differently from one stroke to the next.");
+    put("<p class=\"note\">{}{}</p>", isOfSeveral ? sameTravel + " " : std::string(), ofChance);
     if (isAnyAlike) note("Where no interval is given, both its ends would be printed alike.");
   }
 
   /// Whether the ends of an interval are printed differently: simulated hands all move alike.
-  static bool hasWidth(const std::optional<analysis::Interval>& interval) {
-    return interval && interval->high - interval->low >= kPrintedAlike;
+  static bool hasWidth(const analysis::Interval& interval) {
+    return rounded(interval.low, 2) != rounded(interval.high, 2);
   }
 
   std::string curvesCaption() const {
@@ -396,8 +403,9 @@ class RenderingWriter : HtmlWriter {
     if (last == nullptr) return;
     const auto& shown = kindOf(last->condition).shown;
     paragraph(
-        "More was felt than the material gives where most strokes went as fast as the reamer cuts, "
-        "{:g} {}: hands pushed against this limit, and a dip of the force was flattened: {}.",
+        "The reamer advances by at most {:g} {}: pushing harder gives more force, not more speed. "
+        "Where most strokes were as fast as that, more was felt than the material gives, and a dip "
+        "of the force was flattened. By how much, and where: {}.",
         shown.factor * last->mostFeed,
         shown.velocityUnit,
         all);

@@ -543,7 +543,7 @@ TEST(HtmlReport, ComparesRenderedBoneWithItsMaterial) {
   const auto page = asHtml({section});
   EXPECT_TRUE(has(page, "Felt against the material"));
   EXPECT_TRUE(has(page, "force: Interpolation 3.00 N."));
-  EXPECT_FALSE(has(page, "as fast as the reamer cuts"));
+  EXPECT_FALSE(has(page, "The reamer advances"));
 }
 
 TEST(HtmlReport, SaysWhereHandsPushedAgainstTheLimitOfTheFeed) {
@@ -560,12 +560,12 @@ TEST(HtmlReport, SaysWhereHandsPushedAgainstTheLimitOfTheFeed) {
   const auto page = renderingAsHtml(section);
   EXPECT_TRUE(
       has(page,
-          "as fast as the reamer cuts, 0.002 " +
-              std::string(section.protocol.device(curve.device)->kind->shown.velocityUnit)))
+          "The reamer advances by at most 0.002 " +
+              std::string(section.protocol.device(curve.device)->kind->shown.velocityUnit) + ": "))
       << page;
   EXPECT_TRUE(has(page, "Interpolation up to 2.5 N (" + from + " to " + to)) << page;
   limited.atMostFeed = 0.5;
-  EXPECT_FALSE(has(renderingAsHtml(section), "as fast as the reamer cuts"));
+  EXPECT_FALSE(has(renderingAsHtml(section), "The reamer advances"));
 }
 
 }  // namespace html_report_test

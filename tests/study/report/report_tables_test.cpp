@@ -288,6 +288,31 @@ TEST_F(ReportTables, OfForcesHasThePooledAndTheMeanDifference) {
       "1.25 N.");
 }
 
+// Python, mean ± 4.3027 stdev/√3: 1.9963 and 2.0037; of 1.9995, 2 and 2.0105 1.9879 and 2.0188
+TEST_F(ReportTables, OfForcesHaveNoIntervalOfWhichBothEndsArePrintedAlike) {
+  const std::string alike = "both its ends would be printed alike";
+  const auto pageOf = [&](const std::vector<double>& differences) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (auto& [bin, force] : section_.curves[0].medians["P" + std::to_string(i)]) {
+        force = 4.0 + differences[i];
+      }
+    }
+    return asHtml({section_});
+  };
+  auto page = pageOf({1.9985, 2.0, 2.0015});
+  EXPECT_EQ(tableOf(page, "Manipulation check").headings.back(), "By participant [N]");
+  EXPECT_NE(page.find(alike), std::string::npos);
+  page = pageOf({1.9995, 2.0, 2.0105});
+  EXPECT_EQ(tableOf(page, "Manipulation check").rows.front().back(), "[1.99, 2.02]");
+  EXPECT_EQ(page.find(alike), std::string::npos);
+}
+
+TEST_F(ReportTables, OfForcesHaveNoSecondColumnOfOneParticipant) {
+  for (auto& curve : section_.curves) curve.medians.erase("P1"), curve.medians.erase("P2");
+  const auto table = tableOf(asHtml({section_}), "Manipulation check");
+  EXPECT_EQ(table.headings, (Cells{"Pair", "All strokes [N]", "n"}));
+}
+
 TEST_F(ReportTables, OfSitesHaveEachEstimateInItsRow) {
   section_.results.families.front().cohorts.front().sites = tests::numberedSites();
   const auto page = asHtml({section_});
