@@ -120,13 +120,16 @@ class AnswerWriter : HtmlWriter {
     const auto mainAlternative = mainAlternativeOf(family);
     const auto untested =
         std::ranges::find_if(all, [&](const auto& row) { return row.has(mainAlternative); });
-    std::vector<Declared> rows;     // that are said one by one
-    std::size_t otherFindings = 0;  // significant differences of other rows
+    std::vector<Declared> rows;              // that are said one by one
+    std::vector<std::string> otherFindings;  // significant differences of other rows
     for (const auto& row : all) {
       if (!row.isDefined()) continue;
       const bool isSaid = mainAlternative.empty() || row.has(mainAlternative);
       if (isSaid) rows.push_back(row);
-      if (!isSaid && isBold(family, row)) ++otherFindings;
+      if (isSaid || !isBold(family, row)) continue;
+      const auto& higher = section_.conditionTitle(higherMethodOf(row));
+      const auto& lower = section_.conditionTitle(isSecondHigher(row) ? row.group1 : row.group2);
+      otherFindings.push_back(section_.words.say("{} was rated higher than {}", higher, lower));
     }
     const auto isInDoubt = [&](const auto& row) { return report::isInDoubt(family, row); };
     const bool areAllInDoubt = rows.size() > 1 && std::ranges::all_of(rows, isInDoubt);
@@ -141,14 +144,17 @@ class AnswerWriter : HtmlWriter {
     const auto noneOfIts = say("none of its differences is significant.");
     if (areAllInDoubt) text = (mainAlternative.empty() ? none : noneOfIts) + " " + text;
     if (text.empty() && untested != all.end()) return notTestedInWords(*untested);
-    const auto others = section_.words.count(
-        otherFindings,
-        "{} difference between other methods is significant.",
-        "{} differences between other methods are significant.");
+    constexpr std::size_t kFew = 3;
+    const auto named =
+        section_.words.say("Also significant: {}.", base::joined(otherFindings, "; "));
+    const auto counted = section_.words.say(
+        "{} differences between other methods are significant: see the table.",
+        otherFindings.size());
+    const auto& others = otherFindings.size() > kFew ? counted : named;
     const auto leftOut = leftOutIn(family, part).size();
     const auto missing =
         count(leftOut, "{} comparison could not be tested.", "{} comparisons could not be tested.");
-    return text + "." + (otherFindings > 0 ? " " + escaped(others) : std::string()) +
+    return text + "." + (otherFindings.empty() ? std::string() : " " + escaped(others)) +
            (leftOut > 0 ? " " + missing : std::string());
   }
 

@@ -59,25 +59,11 @@ struct Finding {
 };
 
 constexpr Finding kHigher{
-    "By the declared test ({}), {} was rated significantly higher than {}{}.",
-    "{} was rated significantly higher than {}{}."};
+    "By the declared test ({}), {} was rated significantly higher than {}.",
+    "{} was rated significantly higher than {}."};
 constexpr Finding kLower{
-    "By the declared test ({}), {} was rated significantly lower than {}{}.",
-    "{} was rated significantly lower than {}{}."};
-constexpr Finding kPooledHigher{
-    "By the declared test ({}), which takes all answers as independent, {} was rated significantly "
-    "higher than {}{}.",
-    "{} was rated significantly higher than {}{}."};
-constexpr Finding kPooledLower{
-    "By the declared test ({}), which takes all answers as independent, {} was rated significantly "
-    "lower than {}{}.",
-    "{} was rated significantly lower than {}{}."};
-constexpr Finding kMixed{
-    "By the declared test ({}), the rating of {} differs from that of {} by {}.",
-    "The rating of {} differs from that of {} by {}."};
-constexpr Finding kMixedHigher{
-    "By the declared test ({}), {} was rated higher than {} by {}.",
-    "{} was rated higher than {} by {}."};
+    "By the declared test ({}), {} was rated significantly lower than {}.",
+    "{} was rated significantly lower than {}."};
 constexpr Finding kAlike{
     "By the declared test ({}), {} was rated neither significantly higher nor lower than {}{}.",
     "{} was rated neither significantly higher nor lower than {}{}."};
@@ -90,11 +76,18 @@ struct Outcome {
       0;  ///< cohorts in which the best alternative is significantly higher
   std::size_t significantlyLower = 0;
   std::size_t testedWithin = 0;       ///< cohorts with a paired test of participants' means
-  std::size_t significantWithin = 0;  ///< of these, the tests that agree with the declared one
+  std::size_t significantWithin = 0;  ///< of the significant ones, those in which it agrees
   bool isHigherInEach = true;         ///< the best alternative, in each cohort
   Names differences;                  ///< of each cohort, in words
-  std::vector<double> points;         ///< the same, above 0 where the best alternative is higher
-  std::size_t mostPeople = 0;         ///< who were compared in a cohort
+
+  std::size_t significant() const { return significantlyHigher + significantlyLower; }
+  /// Whether cohorts differ in what was found.
+  bool isMixed() const {
+    return significant() > 0 && significantlyHigher < testedCohorts &&
+           significantlyLower < testedCohorts;
+  }
+  std::vector<double> points;  ///< the same, above 0 where the best alternative is higher
+  std::size_t mostPeople = 0;  ///< who were compared in a cohort
 };
 
 /// Says what was found without statistics.
@@ -105,48 +98,42 @@ class VerdictWriter {
   Answer all() {
     const auto alone = words_("One participant so far: nothing can be compared.");
     if (section_.results.completed() == 1) return {.finding = alone};
-    const auto named = mostNamedIn(section_.results);
     const auto* family = mainFamily(section_);
-    Names sentences;
-    const bool isTested = family != nullptr && family->isDeclared && !testedIn(*family).empty();
     if (family != nullptr) {
       best_ = highestRatedIn(*family);
-      if (!isTested) sentences.push_back(ratings(*family));
-      std::ranges::move(comparisons(*family), std::back_inserter(sentences));
-      if (section_.results.families.size() > 1 && !sentences.empty()) {
-        sentences.front() = words_.say("“{}”", family->family.title) + ": " + sentences.front();
+      const bool isTested = family->isDeclared && !testedIn(*family).empty();
+      if (!isTested) headline_.push_back(ratings(*family));
+      comparisons(*family);
+      if (section_.results.families.size() > 1 && !headline_.empty()) {
+        headline_.front() = words_.say("“{}”", family->family.title) + ": " + headline_.front();
       }
-      std::ranges::move(otherFamilies(*family), std::back_inserter(sentences));
+      otherFamilies(*family);
     }
-    if (named) sentences.push_back(votes(*named));
-    Answer conclusion;
-    if (sentences.empty()) return conclusion;
-    conclusion.finding = withCurlyQuotes(sentences.front());
-    sentences.erase(sentences.begin());
-    conclusion.more = withCurlyQuotes(base::joined(sentences, " "));
-    return conclusion;
+    if (const auto named = mostNamedIn(section_.results)) votes(*named);
+    if (headline_.empty()) headline_.swap(more_);
+    return {
+        .finding = withCurlyQuotes(base::joined(headline_, " ")),
+        .more = withCurlyQuotes(base::joined(more_, " "))};
   }
 
  private:
-  std::string votes(const MostNamed& most) const {
+  void votes(const MostNamed& most) {
     const auto people = section_.results.completed();
     const auto origin = most.total != static_cast<std::uint64_t>(people) * most.rounds
                             ? words_.say("in {} rounds", most.rounds)
                         : most.rounds == 1
                             ? words_("one vote each")
                             : words_.say("{} people × {} rounds", people, most.rounds);
-    const auto asked = questionIn(most.phase);
-    const auto title = section_.introducedTitle(most.condition);
-    const auto counted = words_.say(
+    headline_.push_back(words_.say(
         "{} was named most often: {} of {} votes ({}; exploratory{}).",
-        title,
+        introduced(most.condition),
         most.votes,
         most.total,
         origin,
-        isAnyVoteSignificant() ? std::string() : "; " + words_("not significant in any cohort"));
-    return asked == nullptr
-               ? counted
-               : words_.say("“{}”", questionOf(*asked, words_.language())) + " " + counted;
+        isAnyVoteSignificant() ? std::string() : "; " + words_("not significant in any cohort")));
+    const auto* asked = questionIn(most.phase);
+    if (asked == nullptr) return;
+    more_.push_back(words_.say("The votes answer “{}”", questionOf(*asked, words_.language())));
   }
 
   /// Whether votes of a cohort in a round differ significantly from equal shares, or none is
@@ -175,36 +162,34 @@ class VerdictWriter {
   }
 
   /// Which mean of all answers is the highest, of a family that is not tested.
-  std::string ratings(const FamilyResult& family) const {
+  std::string ratings(const FamilyResult& family) {
     const auto people = section_.results.completed();
     const bool isTied = std::ranges::any_of(section_.protocol.conditions, [&](const auto& other) {
       return other.id != best_ && meanOfAll(family, other.id) == meanOfAll(family, best_);
     });
     const auto tied = words_.say(
         "On average no method was rated higher than all others ({} participants).", people);
-    const auto highest = words_.say(
-        "On average {} was rated highest ({} participants).",
-        section_.introducedTitle(best_),
-        people);
+    const auto highest =
+        words_.say("On average {} was rated highest ({} participants).", introduced(best_), people);
     return isTied ? tied : highest;
   }
 
-  /// Why the declared test of a family has no result in any cohort; empty if no reason is known.
-  Names notTested(const FamilyResult& family) const {
+  /// Why the declared test of a family has no result in any cohort, if a reason is known.
+  void notTested(const FamilyResult& family) {
     for (const auto& part : family.cohorts) {
       for (const auto& row : declaredIn(family, part)) {
         if (row.test->reason.empty()) continue;
-        return {words_.say(
+        headline_.push_back(words_.say(
             "By the declared test ({}), nothing can be compared: {}.",
             testInWords(family.family.test, words_),
-            words_(row.test->reason))};
+            words_(row.test->reason)));
+        return;
       }
     }
-    return {};
   }
 
   /// How many differences of the declared families other than @p main are significant.
-  Names otherFamilies(const FamilyResult& main) const {
+  void otherFamilies(const FamilyResult& main) {
     Names counts;
     for (const auto& family : section_.results.families) {
       if (&family == &main || !family.isDeclared) continue;
@@ -220,60 +205,55 @@ class VerdictWriter {
           : family.isNamed("welch") ? counted + pooled
                                     : counted);
     }
-    if (counts.empty()) return {};
-    return {words_.say("Significant differences otherwise: {}.", listed(counts, words_))};
+    if (counts.empty()) return;
+    more_.push_back(words_.say("Significant differences otherwise: {}.", listed(counts, words_)));
   }
 
   /// Whether the ratings of the best alternative differ from those of the others.
-  Names comparisons(const FamilyResult& family) {
-    if (!family.isDeclared) return {words_("All comparisons are exploratory.")};
+  void comparisons(const FamilyResult& family) {
+    if (!family.isDeclared) {
+      headline_.push_back(words_("All comparisons are exploratory."));
+      return;
+    }
     if (testedIn(family).empty()) return notTested(family);
-    std::vector<Outcome> higher;
-    std::vector<Outcome> lower;
+    test_ = testInWords(family.family.test, words_);
+    std::vector<Outcome> found;
     std::vector<Outcome> alike;
-    std::vector<Outcome> mixed;
-    const auto untested = words_("Whether cohorts differ in these differences was not tested.");
     for (const auto& condition : section_.protocol.conditions) {
       const auto one = outcomeOf(family, condition.id);
-      if (one.testedCohorts == 0) continue;
-      if (one.significantlyHigher == one.testedCohorts) {
-        higher.push_back(one);
-      } else if (one.significantlyLower == one.testedCohorts) {
-        lower.push_back(one);
-      } else if (one.significantlyHigher + one.significantlyLower == 0) {
-        alike.push_back(one);
-      } else {
-        mixed.push_back(one);
-      }
+      if (one.testedCohorts > 0) (one.significant() > 0 ? found : alike).push_back(one);
     }
-    const bool isPooled = family.isNamed("welch");
-    test_ = testInWords(family.family.test, words_);
-    const auto inEach = " " + words_("in each cohort");
-    const auto inAny = " " + words_("in any cohort");
-    Names sentences;
-    if (!higher.empty()) {
-      sentences.push_back(sentenceOn(isPooled ? kPooledHigher : kHigher, higher, inEach, isPooled));
-    }
-    if (!lower.empty()) {
-      sentences.push_back(sentenceOn(isPooled ? kPooledLower : kLower, lower, inEach, isPooled));
-    }
-    for (const auto& one : mixed) {
-      sentences.push_back(
-          say(one.isHigherInEach ? kMixedHigher : kMixed,
-              section_.introducedTitle(one.condition),
-              listed(one.differences, words_)));
-    }
-    if (!mixed.empty()) sentences.push_back(untested);
+    say(kHigher, found, &Outcome::significantlyHigher);
+    say(kLower, found, &Outcome::significantlyLower);
+    if (!found.empty() && family.isNamed("welch")) headline_.push_back(withinPeople(found));
+    mixed(found);
+    auto& others = found.empty() ? headline_ : more_;
     if (!alike.empty() && isNothingSignificant(family)) {
-      sentences.push_back(nothingSignificant(family));
-      if (isHighestInEach(family)) sentences.push_back(highest(family));
+      headline_.push_back(nothingSignificant(family));
+      if (isHighestInEach(family)) more_.push_back(highest(family));
     } else if (!alike.empty()) {
-      sentences.push_back(sentenceOn(kAlike, alike, inAny, false));
-      sentences.push_back(sizesOf(alike));
+      others.push_back(neither(alike));
+      others.push_back(sizesOf(alike));
     }
-    const bool isAnySaid = !higher.empty() || !lower.empty() || !mixed.empty();
-    std::ranges::move(otherDifferences(family, isAnySaid), std::back_inserter(sentences));
-    return sentences;
+    std::ranges::move(otherDifferences(family, !found.empty()), std::back_inserter(others));
+  }
+
+  /// The differences of which the cohorts differ, in each cohort.
+  void mixed(const std::vector<Outcome>& outcomes) {
+    bool isAny = false;
+    for (const auto& one : outcomes) {
+      if (!one.isMixed()) continue;
+      isAny = true;
+      const auto& best = section_.conditionTitle(best_);
+      const auto& other = section_.conditionTitle(one.condition);
+      const auto by = listed(one.differences, words_);
+      more_.push_back(
+          one.isHigherInEach
+              ? words_.say("{} was rated higher than {} by {}.", best, other, by)
+              : words_.say("The rating of {} differs from that of {} by {}.", best, other, by));
+    }
+    const auto untested = words_("Whether cohorts differ in these differences was not tested.");
+    if (isAny) more_.push_back(untested);
   }
 
   /// The significant differences between alternatives other than the best one.
@@ -416,7 +396,7 @@ class VerdictWriter {
   }
 
   std::string highest(const FamilyResult& family) const {
-    const auto& title = section_.introducedTitle(best_);
+    const auto& title = section_.conditionTitle(best_);
     const bool isOfSeveral = std::ranges::count_if(family.cohorts, [&](const auto& part) {
                                return isTested(family, part);
                              }) > 1;
@@ -438,67 +418,81 @@ class VerdictWriter {
         mostPeople);
   }
 
-  /// @param where  " in each cohort" or the like; left out if there is only one cohort
-  /// @param isPooled  whether to say what comparing within people finds
-  std::string sentenceOn(
-      const Finding& finding,
-      const std::vector<Outcome>& outcomes,
-      const std::string& where,
-      bool isPooled) {
+  /// "FEM in each cohort and KF in 1 of 2 cohorts", or "FEM" where there is only one cohort.
+  std::string where(
+      const std::vector<Outcome>& outcomes, std::size_t Outcome::*count, bool introduces) {
+    Names places;
+    for (const auto& one : outcomes) {
+      const auto title =
+          introduces ? introduced(one.condition) : section_.conditionTitle(one.condition);
+      const auto some = words_.say("{} in {} of {} cohorts", title, one.*count, one.testedCohorts);
+      places.push_back(
+          one.testedCohorts == 1           ? title
+          : one.*count < one.testedCohorts ? some
+                                           : title + " " + words_("in each cohort"));
+    }
+    return listed(places, words_);
+  }
+
+  /// Says from which of the others the best alternative differs significantly in this direction.
+  void say(
+      const Finding& finding, const std::vector<Outcome>& outcomes, std::size_t Outcome::*count) {
+    std::vector<Outcome> found;
+    std::ranges::copy_if(
+        outcomes, std::back_inserter(found), [&](const auto& one) { return one.*count > 0; });
+    if (found.empty()) return;
+    const auto best = introduced(best_);
+    const auto others = where(found, count, true);
+    headline_.push_back(
+        headline_.empty() ? words_.say(finding.first, test_, best, others)
+                          : words_.say(finding.next, best, others));
+  }
+
+  /// That the best alternative differs significantly from none of these.
+  std::string neither(const std::vector<Outcome>& alike) {
+    const auto best = introduced(best_);
     Names titles;
-    for (const auto& one : outcomes) titles.push_back(section_.introducedTitle(one.condition));
+    for (const auto& one : alike) titles.push_back(introduced(one.condition));
     const bool isOfSeveral =
-        std::ranges::all_of(outcomes, [](const auto& one) { return one.testedCohorts > 1; });
-    return say(
-        finding,
-        listed(titles, words_),
-        (isOfSeveral ? where : std::string()) +
-            (isPooled ? withinPeople(outcomes) : std::string()));
+        std::ranges::all_of(alike, [](const auto& one) { return one.testedCohorts > 1; });
+    const auto others = listed(titles, words_);
+    const auto inAny = isOfSeveral ? " " + words_("in any cohort") : std::string();
+    return headline_.empty() ? words_.say(kAlike.first, test_, best, others, inAny)
+                             : words_.say(kAlike.next, best, others, inAny);
   }
 
-  template <typename... Args>
-  std::string say(const Finding& finding, const Args&... args) {
-    const auto first = words_.say(finding.first, test_, section_.introducedTitle(best_), args...);
-    const auto next = words_.say(finding.next, section_.conditionTitle(best_), args...);
-    return std::exchange(isTestNamed_, true) ? next : first;
-  }
-
-  /// What the tests within people find of differences that the pooled test found.
-  std::string withinPeople(const std::vector<Outcome>& outcomes) const {
-    Names all;
+  /// Whether the tests within people find the differences that the pooled test found, too.
+  std::string withinPeople(const std::vector<Outcome>& outcomes) {
+    std::vector<Outcome> found;
     Names none;
     Names untested;
-    Names some;
     for (const auto& one : outcomes) {
       const auto& title = section_.conditionTitle(one.condition);
-      const auto counted = words_.say(
-          "significant for {} in {} of {} cohorts",
-          title,
-          one.significantWithin,
-          one.testedCohorts);
-      auto& names = one.testedWithin == 0                        ? untested
-                    : one.significantWithin == 0                 ? none
-                    : one.significantWithin == one.testedCohorts ? all
-                                                                 : some;
-      names.push_back(&names == &some ? counted : title);
+      if (one.testedWithin == 0) {
+        untested.push_back(title);
+      } else if (one.significantWithin == 0) {
+        none.push_back(title);
+      } else {
+        found.push_back(one);
+      }
     }
-    std::string text;
-    const auto add = [&](const std::string& clause, const Names& names) {
-      if (!names.empty()) text += (text.empty() ? "" : ", ") + clause;
-    };
-    const auto in = [&](const char* which) {
-      const bool isOfSeveral =
-          std::ranges::all_of(outcomes, [](const auto& one) { return one.testedCohorts > 1; });
-      return isOfSeveral ? " " + words_(which) : std::string();
-    };
-    add(words_.say("significant for {}", listed(all, words_)) + in("in each cohort"), all);
-    add(listed(some, words_), some);
-    add(words_.say("not significant for {}", listed(none, words_)) + in("in any cohort"), none);
-    add(words_.say("not testable for {}", listed(untested, words_)), untested);
+    Names clauses;
+    const auto holds = words_.say("holds for {}", where(found, &Outcome::significantWithin, false));
+    const auto fails = words_.say("does not hold for {}", listed(none, words_));
+    const auto unknown = words_.say("cannot be tested for {}", listed(untested, words_));
+    if (!found.empty()) clauses.push_back(holds);
+    if (!none.empty()) clauses.push_back(fails);
+    if (!untested.empty()) clauses.push_back(unknown);
     return words_.say(
-        ". Compared within people ({}, exploratory), this is {}",
+        "Compared within people ({}, exploratory), this {}.",
         testInWords(protocols::TestType::PairedT, words_),
-        text);
+        base::joined(clauses, ", "));
+  }
+
+  /// The title of a condition, with the name of its force model where it is first named.
+  std::string introduced(const std::string& condition) {
+    const bool isNew = introduced_.insert(condition).second;
+    return isNew ? section_.introducedTitle(condition) : section_.conditionTitle(condition);
   }
 
   Outcome outcomeOf(const FamilyResult& family, const std::string& other) {
@@ -517,7 +511,7 @@ class VerdictWriter {
         if (isSignificant)
           ++(difference > 0.0 ? outcome.significantlyHigher : outcome.significantlyLower);
         if (row.withinPeople->p) ++outcome.testedWithin;
-        if (agrees) ++outcome.significantWithin;
+        if (agrees && isSignificant) ++outcome.significantWithin;
         const auto points = rounded(difference, 2);
         const auto& who = section_.cohortTitle(part.cohort);
         const auto plain = words_.say("{} points ({}, not significant)", points, who);
@@ -537,7 +531,9 @@ class VerdictWriter {
   const words::Words& words_;
   std::string best_;  ///< condition
   std::string test_;  ///< the declared test, in words
-  bool isTestNamed_ = false;
+  std::set<std::string> introduced_;
+  Names headline_;  ///< what was found
+  Names more_;      ///< where, how much, and what was not tested
 };
 
 }  // namespace

@@ -17,8 +17,9 @@ class HeadWriter : HtmlWriter {
 
   std::string all() {
     banner();
-    const auto verdict = verdictOf(section_);
-    if (!verdict.empty()) put("<p class=\"verdict\">{}</p>", escaped(verdict));
+    const auto [finding, more, caveats] = conclusionOf(section_);
+    if (!finding.empty()) put("<p class=\"verdict\">{}</p>", escaped(finding));
+    if (!more.empty()) put("<p>{}</p>", escaped(more));
     if (!section_.results.families.empty()) heading("The question");
     for (const auto& family : section_.results.families) putDeclared(family);
     return std::move(html_);

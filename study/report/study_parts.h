@@ -24,7 +24,7 @@ std::string participantsAsHtml(const ReportSection& section);
 /// The finding is of the declared test, or what was named most often.
 Answer conclusionOf(const ReportSection& section);
 
-/// The same as a paragraph.
+/// All of its sentences.
 std::string verdictOf(const ReportSection& section);
 
 /// Whether a declared test that was made takes several answers of one person as those of several
