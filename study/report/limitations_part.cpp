@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <set>
 
 #include "base/joined.h"
@@ -12,11 +13,9 @@
 namespace study::report {
 namespace {
 
-constexpr std::size_t kMostLimitationsOnFirstPage = 4;
-
 /// The index in kFlagsBySeverity of the last flag that weighs more than a disclosure (conditions
 /// that participants can tell apart).
-constexpr std::ptrdiff_t kLastSeverityBeforeDisclosures = 2;
+constexpr std::ptrdiff_t kLastSeverityBeforeDisclosures = 3;
 
 /// Warnings about a study's files that say nothing about its results.
 constexpr std::array<std::string_view, 18> kFileWarnings{
@@ -39,8 +38,20 @@ constexpr std::array<std::string_view, 18> kFileWarnings{
     "hides_library_instrument",
     "items_not_analysed"};
 
+/// Warnings of the protocol's check, each with the flag below which it stands where it is raised.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWarningsOfFlags{
+    {{"unlike_statements", "items_not_common_to_methods"},
+     {"pooled_answers", "pseudo_replication"},
+     {"same_order", "order_not_counterbalanced"},
+     {"no_previous", "relative_item_without_referent"}}};
+
+/// Warnings about what tells conditions apart.
+constexpr std::array<std::string_view, 5> kDisclosures{
+    "labels_tell", "order_tells", "statements_tell", "blocks_tell", "seed_tells"};
+
 /// All kinds of flags, the heaviest first.
 constexpr std::array<std::string_view, 15> kFlagsBySeverity{
+    "items_not_common_to_methods",
     "n_below_minimum_for_alpha",
     "pseudo_replication",
     "constant_group",
@@ -48,7 +59,6 @@ constexpr std::array<std::string_view, 15> kFlagsBySeverity{
     "answered_otherwise",
     "other_scale",
     "order_not_counterbalanced",
-    "items_not_common_to_methods",
     "relative_item_without_referent",
     "missing_cells",
     "paired_data_unpaired_test",
@@ -84,7 +94,16 @@ struct Limitation {
   std::vector<LimitationFinding> found;
 };
 
-/// Writes what weakens the answer. The page has a title for each, the appendix explains it.
+/// A limitation as it is printed.
+struct Point {
+  std::string title;
+  std::string more;  ///< for the list on the first page; empty: the title says enough
+  std::string explanation;
+  std::vector<std::string> list{};  ///< below the explanation
+};
+
+/// Writes what weakens the answer: the first page has a title for each point, and the appendix
+/// explains each, in the same order.
 class LimitationsWriter : HtmlWriter {
  public:
   using HtmlWriter::HtmlWriter;
@@ -103,16 +122,14 @@ class LimitationsWriter : HtmlWriter {
 
   std::string weaknessesInBrief() {
     if (section_.results.completed() == 0) return {};
-    const auto points = allPoints();
-    heading("What weakens the answer");
-    // one more weakness takes no more room than the line "and 1 more"
-    const auto shown = points.size() <= kMostLimitationsOnFirstPage + 1
-                           ? points.size()
-                           : kMostLimitationsOnFirstPage;
+    const bool isOfOne = section_.results.completed() == 1;
+    const auto weakens = say("What weakens the answer");
+    const auto limits = say("Limitations");
+    put("<h3>{}</h3>", isOfOne ? limits : weakens);
     std::string items;
-    for (std::size_t i = 0; i < shown; ++i) items += "<li>" + points[i] + "</li>";
-    const auto more = count(points.size() - shown, "and {} more", "and {} more");
-    if (shown < points.size()) items += "<li>" + more + "</li>";
+    for (const auto& point : points()) {
+      items += "<li>" + point.title + (point.more.empty() ? "" : ": " + point.more) + "</li>";
+    }
     if (!items.empty()) put("<ul>{}</ul>", items);
     const bool hasFlags = !limitations().empty();
     const auto none =
@@ -122,7 +139,6 @@ class LimitationsWriter : HtmlWriter {
             std::ranges::count_if(kFlagsBySeverity, [&](auto id) { return isLookedFor(id); }));
     const auto singlePersonText = say("The checks of the compared answers need more participants.");
     const auto explained = say("All of it is explained in the appendix, under “Limitations”.");
-    const bool isOfOne = section_.results.completed() == 1;
     put("<p class=\"note\">{}</p>", hasFlags ? explained : isOfOne ? singlePersonText : none);
     return std::move(html_);
   }
@@ -130,35 +146,16 @@ class LimitationsWriter : HtmlWriter {
   std::string all() {
     if (section_.results.completed() == 0) return {};
     put("<dl class=\"flags\">");
-    putSampleSize();
-    const auto found = limitations();
-    for (const auto& limitation : found) {
-      const auto& flag = *limitation.flag;
-      std::string sentences;
-      for (const auto& one : limitation.found) sentences += sentenceOf(limitation, one) + " ";
-      if (flag.concernsRendering) sentences.clear();  // the page has them
-      explain(
-          inWords(flag.title()),
-          fmt::format(
-              "{}{} <span class=\"source\">({})</span>",
-              sentences,
-              inWords(flag.why),
-              sourcesOf(flag)));
-    }
-    if (const auto unconfirmed = notConfirmed(false); !unconfirmed.empty()) {
-      explain(say("Significant by the declared test only"), unconfirmed + ".");
-    }
-    if (const auto others = foundByOthers(); !others.empty()) {
-      explain(say("Significant by other tests only"), others + ".");
-    }
-    if (const auto chance = families(false); !chance.empty()) {
-      explain(say("Corrections within each family and cohort"), chance + ".");
+    for (const auto& [title, more, explanation, list] : points()) {
+      std::string items;
+      for (const auto& item : list) items += "<li>" + item + ".</li>";
+      put("<dt>{}</dt><dd>{}{}</dd>",
+          title,
+          explanation.empty() ? std::string() : "<p>" + explanation + "</p>",
+          items.empty() ? items : "<ul>" + items + "</ul>");
     }
     put("</dl>");
-    putChecksWithoutFinding(found);
-    std::string items;
-    for (const auto& warning : warnings()) items += "<li>" + warning + ".</li>";
-    if (!items.empty()) put("<p>{}</p><ul>{}</ul>", say("The design:"), items);
+    putChecksWithoutFinding(limitations());
     return std::move(html_);
   }
 
@@ -170,10 +167,6 @@ class LimitationsWriter : HtmlWriter {
   }
 
  private:
-  void explain(const std::string& title, const std::string& text) {
-    put("<dt>{}</dt><dd><p>{}</p></dd>", title, text);
-  }
-
   /// "Hurlbert, 1984; Palpate’s manual, Statistics: planning": works as in the list of references.
   std::string sourcesOf(const analysis::Flag& flag) const {
     return base::joined(flag.source, "; ", [&](const auto& source) {
@@ -182,39 +175,93 @@ class LimitationsWriter : HtmlWriter {
     });
   }
 
-  /// The titles of all weaknesses, the heaviest first.
-  std::vector<std::string> allPoints() const {
-    std::vector<std::string> points;
-    if (const auto alone = singleParticipantsInWords(); !alone.empty()) points.push_back(alone);
-    if (const auto fewer = missingParticipantsInWords(); !fewer.empty()) {
-      points.push_back(say("Fewer participants than planned") + ": " + fewer);
+  /// All limitations, the heaviest first.
+  std::vector<Point> points() const {
+    auto points = sampleSize();
+    if (section_.sessionsWithForces > 0 && !section_.protocol.isOpenLabel) {
+      points.push_back(operatorSawForces());
     }
-    const auto seen = say(
-        "The operator saw the forces, by which conditions can be told apart, in {} of {} sessions",
-        section_.sessionsWithForces,
-        section_.results.completed());
-    if (section_.sessionsWithForces > 0 && !section_.protocol.isOpenLabel) points.push_back(seen);
-    const auto disclosed = disclosuresInWords(section_);
-    const auto apart = say("A reader of the protocol could tell conditions apart by {}", disclosed);
-    const auto cohorts = cohortsWithPeople();
-    bool isSaid = disclosed.empty();
-    for (const auto& limitation : limitations()) {
-      if (limitation.flag->concernsRendering) continue;  // the sentences of the answer have it
-      if (!isSaid && severityOf(limitation) > kLastSeverityBeforeDisclosures)
-        points.push_back(apart);
-      isSaid = isSaid || severityOf(limitation) > kLastSeverityBeforeDisclosures;
-      points.push_back(inWords(limitation.flag->title()));
-      const bool isOfAll = cohortsIn(limitation).size() == cohorts.size();
-      if (!isOfAll) points.back() += " (" + escaped(titlesOf(cohortsIn(limitation))) + ")";
+    const auto told = disclosures();
+    const auto found = limitations();
+    const auto isHeavy = [](const auto& one) {
+      return severityOf(one) <= kLastSeverityBeforeDisclosures;
+    };
+    for (const auto& one : found) {
+      if (isHeavy(one)) points.push_back(pointOf(one));
     }
-    if (!isSaid) points.push_back(apart);
-    if (const auto found = notConfirmed(true); !found.empty()) points.push_back(found);
-    if (const auto found = families(true); !found.empty()) points.push_back(found);
-    const auto warned = warnings();
-    const auto remarks =
-        count(warned.size(), "{} remark on the design", "{} remarks on the design");
-    if (!warned.empty()) points.push_back(remarks);
+    if (told) points.push_back(*told);
+    for (const auto& one : found) {
+      if (!isHeavy(one)) points.push_back(pointOf(one));
+    }
+    if (const auto all = notConfirmed(false); !all.empty()) {
+      const auto title = say("Significant by the declared test only");
+      points.push_back({title, notConfirmed(true), all + "."});
+    }
+    if (const auto all = foundByOthers(); !all.empty()) {
+      points.push_back({say("Significant by other tests only"), {}, all + "."});
+    }
+    if (const auto chance = families(); !chance.empty()) {
+      points.push_back({say("Corrections within each family and cohort"), {}, chance + "."});
+    }
+    auto remarks = otherWarnings(told.has_value());
+    const auto title = count(remarks.size(), "{} remark on the design", "{} remarks on the design");
+    if (!remarks.empty()) points.push_back({title, {}, {}, std::move(remarks)});
     return points;
+  }
+
+  Point operatorSawForces() const {
+    return {
+        say("The operator saw the forces, by which conditions can be told apart, in {} of {} "
+            "sessions",
+            section_.sessionsWithForces,
+            section_.results.completed()),
+        {},
+        say("Who can tell conditions apart may treat participants differently without meaning "
+            "to.")};
+  }
+
+  Point pointOf(const Limitation& limitation) const {
+    const auto& flag = *limitation.flag;
+    std::string sentences;
+    for (const auto& one : limitation.found) sentences += sentenceOf(limitation, one) + " ";
+    if (flag.concernsRendering) sentences.clear();  // the first page has them
+    const bool isOfAll = cohortsIn(limitation).size() == cohortsWithPeople().size();
+    Point point{
+        inWords(flag.title()),
+        isOfAll ? std::string() : escaped(titlesOf(cohortsIn(limitation))),
+        fmt::format(
+            "{}{} <span class=\"source\">({})</span>",
+            sentences,
+            inWords(flag.why),
+            sourcesOf(flag))};
+    for (const auto& warning : section_.warnings) {
+      if (flagOf(warning) == flag.id) addNew(point.list, warning);
+    }
+    return point;
+  }
+
+  /// The flag that tells what a warning does; empty if none does.
+  static std::string_view flagOf(const questionnaires::Problem& warning) {
+    const auto key = warning.what.key();
+    const auto told =
+        std::ranges::find(kWarningsOfFlags, key, [](const auto& one) { return one.first; });
+    return told == kWarningsOfFlags.end() ? std::string_view() : told->second;
+  }
+
+  /// By what a reader of the protocol could tell conditions apart.
+  std::optional<Point> disclosures() const {
+    const auto disclosed = disclosuresInWords(section_);
+    if (disclosed.empty()) return std::nullopt;
+    Point point{
+        say("A reader of the protocol could tell conditions apart by {}", disclosed),
+        {},
+        say("Labels hide a method only from those who do not know the protocol. Who knows it, such "
+            "as staff, may know which method is judged, and what they expect can show in "
+            "answers.")};
+    for (const auto& warning : section_.warnings) {
+      if (isIn(kDisclosures, warning.what.key())) addNew(point.list, warning);
+    }
+    return point;
   }
 
   static std::ptrdiff_t severityOf(const Limitation& limitation) {
@@ -245,23 +292,26 @@ class LimitationsWriter : HtmlWriter {
     return fewer;
   }
 
-  void putSampleSize() {
+  std::vector<Point> sampleSize() const {
+    std::vector<Point> points;
     const auto alone = singleParticipantsInWords();
     const auto singlePersonText =
         say("The numbers are those of one person: nothing can be compared, and they show "
             "how this person rated, scored and voted. Answers to other single items are left out, "
             "and so are scores from which one could be worked out.");
-    if (!alone.empty()) explain(alone, singlePersonText);
+    if (!alone.empty()) points.push_back({alone, {}, singlePersonText});
     const auto fewer = missingParticipantsInWords();
     const auto early =
         say("Differences are known less well than planned; where the results decided when to stop, "
             "p values lose their meaning.");
     const bool isOfOne = section_.results.completed() == 1;
     if (!fewer.empty()) {
-      explain(
-          say("Fewer participants than planned"),
-          fewer + "." + (isOfOne ? std::string() : " " + early));
+      points.push_back(
+          {say("Fewer participants than planned"),
+           fewer,
+           fewer + "." + (isOfOne ? std::string() : " " + early)});
     }
+    return points;
   }
 
   /// Which significant results of declared paired t-tests no exact test finds, too; empty if none.
@@ -352,7 +402,7 @@ class LimitationsWriter : HtmlWriter {
   }
 
   /// The chance of a false finding in any cohort and family; empty if there is one of each.
-  std::string families(bool isBrief) const {
+  std::string families() const {
     std::set<std::string> cohorts;
     double alpha = 0.0;
     std::size_t tested = 0;
@@ -379,13 +429,7 @@ class LimitationsWriter : HtmlWriter {
         "such studies",
         tested * cohorts.size(),
         100.0 * chance);
-    const auto brief = say(
-        "p is corrected within each of {} analyses: by chance alone some p is significant in up to "
-        "{:.0f} % of such studies",
-        tested * cohorts.size(),
-        100.0 * chance);
-    if (tested * cohorts.size() < 2) return {};
-    return isBrief ? brief : sentence;
+    return tested * cohorts.size() < 2 ? std::string() : sentence;
   }
 
   /// Whether a study can have this weakness: only a later version of the protocol changes
@@ -489,15 +533,25 @@ class LimitationsWriter : HtmlWriter {
     return who + escaped(found.sentence);
   }
 
-  /// What the check of the protocol says about its design.
-  std::vector<std::string> warnings() const {
+  /// What the check of the protocol says about its design, and no other point does.
+  /// @param hasDisclosures  whether a point has those that tell conditions apart
+  std::vector<std::string> otherWarnings(bool hasDisclosures) const {
+    const auto found = limitations();
+    const auto isFound = [&](std::string_view flag) {
+      return std::ranges::any_of(found, [&](const auto& one) { return one.flag->id == flag; });
+    };
     std::vector<std::string> all;
     for (const auto& warning : section_.warnings) {
-      if (std::ranges::find(kFileWarnings, warning.what.key()) != kFileWarnings.end()) continue;
-      auto sentence = placeOf(warning) + inWords(warning.what);
-      if (std::ranges::find(all, sentence) == all.end()) all.push_back(std::move(sentence));
+      const auto key = warning.what.key();
+      if (isIn(kFileWarnings, key) || (hasDisclosures && isIn(kDisclosures, key))) continue;
+      if (!isFound(flagOf(warning))) addNew(all, warning);
     }
     return all;
+  }
+
+  void addNew(std::vector<std::string>& all, const questionnaires::Problem& warning) const {
+    auto sentence = placeOf(warning) + inWords(warning.what);
+    if (std::ranges::find(all, sentence) == all.end()) all.push_back(std::move(sentence));
   }
 
   /// The title of the condition or block to which a warning belongs, unless it names it itself.

@@ -108,8 +108,7 @@ std::string renderingAsHtml(const ReportSection& section);
 /// methods; empty if there are none.
 std::string caveatsOfRenderingAsHtml(const ReportSection& section);
 
-/// What weakens the answer, the heaviest first, and how much more the appendix has; empty without
-/// participants.
+/// The titles of what weakens the answer, the heaviest first; empty without participants.
 std::string weaknessesAsHtml(const ReportSection& section);
 
 /// All caveats and weaknesses, explained: remarks on the data, and on the design from the
