@@ -105,7 +105,8 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"pseudo_replication",
      "{} answers of {} people are treated as {} independent observations in the pooled tests"},
     {"pseudo_replication.design_effect",
-     "; answers of one person correlate with ICC = {:.2f}, design effect {:.2f}"},
+     "; answers of one person about one method correlate with ICC = {:.2f}, so that each method's "
+     "mean has a design effect of {:.2f}"},
     {"pseudo_replication.one",
      "{} answers of {} person are treated as {} independent observations in the pooled tests"},
     {"pseudo_replication.remedy", "Read the tests on participants' means, or the mixed model."},

@@ -77,8 +77,8 @@ struct Outcome {
   std::size_t significantlyLower = 0;
   std::size_t testedWithin = 0;       ///< cohorts with a paired test of participants' means
   std::size_t significantWithin = 0;  ///< of the significant ones, those in which it agrees
-  bool isHigherInEach = true;         ///< the best alternative, in each cohort
-  Names differences;                  ///< of each cohort, in words
+  std::vector<double> points;         ///< of each cohort, above 0 where the best one is higher
+  std::size_t mostPeople = 0;         ///< who were compared in a cohort
 
   std::size_t significant() const { return significantlyHigher + significantlyLower; }
   /// Whether cohorts differ in what was found.
@@ -86,8 +86,6 @@ struct Outcome {
     return significant() > 0 && significantlyHigher < testedCohorts &&
            significantlyLower < testedCohorts;
   }
-  std::vector<double> points;  ///< the same, above 0 where the best alternative is higher
-  std::size_t mostPeople = 0;  ///< who were compared in a cohort
 };
 
 /// Says what was found without statistics.
@@ -226,7 +224,8 @@ class VerdictWriter {
     say(kHigher, found, &Outcome::significantlyHigher);
     say(kLower, found, &Outcome::significantlyLower);
     if (!found.empty() && family.isNamed("welch")) headline_.push_back(withinPeople(found));
-    mixed(found);
+    const auto untested = words_("Whether cohorts differ in these differences was not tested.");
+    if (std::ranges::any_of(found, &Outcome::isMixed)) more_.push_back(untested);
     auto& others = found.empty() ? headline_ : more_;
     if (!alike.empty() && isNothingSignificant(family)) {
       headline_.push_back(nothingSignificant(family));
@@ -236,24 +235,6 @@ class VerdictWriter {
       others.push_back(sizesOf(alike));
     }
     std::ranges::move(otherDifferences(family, !found.empty()), std::back_inserter(others));
-  }
-
-  /// The differences of which the cohorts differ, in each cohort.
-  void mixed(const std::vector<Outcome>& outcomes) {
-    bool isAny = false;
-    for (const auto& one : outcomes) {
-      if (!one.isMixed()) continue;
-      isAny = true;
-      const auto& best = section_.conditionTitle(best_);
-      const auto& other = section_.conditionTitle(one.condition);
-      const auto by = listed(one.differences, words_);
-      more_.push_back(
-          one.isHigherInEach
-              ? words_.say("{} was rated higher than {} by {}.", best, other, by)
-              : words_.say("The rating of {} differs from that of {} by {}.", best, other, by));
-    }
-    const auto untested = words_("Whether cohorts differ in these differences was not tested.");
-    if (isAny) more_.push_back(untested);
   }
 
   /// The significant differences between alternatives other than the best one.
@@ -421,15 +402,22 @@ class VerdictWriter {
   /// "FEM in each cohort and KF in 1 of 2 cohorts", or "FEM" where there is only one cohort.
   std::string where(
       const std::vector<Outcome>& outcomes, std::size_t Outcome::*count, bool introduces) {
-    Names places;
+    std::vector<std::pair<std::pair<std::size_t, std::size_t>, Names>> groups;  // cohorts, titles
     for (const auto& one : outcomes) {
-      const auto title =
-          introduces ? introduced(one.condition) : section_.conditionTitle(one.condition);
-      const auto some = words_.say("{} in {} of {} cohorts", title, one.*count, one.testedCohorts);
+      const std::pair cohorts(one.*count, one.testedCohorts);
+      auto same = std::ranges::find(groups, cohorts, [](const auto& group) { return group.first; });
+      if (same == groups.end()) same = groups.insert(same, {cohorts, {}});
+      same->second.push_back(
+          introduces ? introduced(one.condition) : section_.conditionTitle(one.condition));
+    }
+    Names places;
+    for (const auto& [cohorts, names] : groups) {
+      const auto titles = listed(names, words_);
+      const auto some = words_.say("{} in {} of {} cohorts", titles, cohorts.first, cohorts.second);
       places.push_back(
-          one.testedCohorts == 1           ? title
-          : one.*count < one.testedCohorts ? some
-                                           : title + " " + words_("in each cohort"));
+          cohorts.second == 1              ? titles
+          : cohorts.first < cohorts.second ? some
+                                           : titles + " " + words_("in each cohort"));
     }
     return listed(places, words_);
   }
@@ -507,21 +495,10 @@ class VerdictWriter {
         outcome.mostPeople = std::max(outcome.mostPeople, row.people);
         ++outcome.testedCohorts;
         outcome.points.push_back(difference);
-        if (difference < 0.0) outcome.isHigherInEach = false;
         if (isSignificant)
           ++(difference > 0.0 ? outcome.significantlyHigher : outcome.significantlyLower);
         if (row.withinPeople->p) ++outcome.testedWithin;
         if (agrees && isSignificant) ++outcome.significantWithin;
-        const auto points = rounded(difference, 2);
-        const auto& who = section_.cohortTitle(part.cohort);
-        const auto plain = words_.say("{} points ({}, not significant)", points, who);
-        const auto clear = words_.say("{} points ({}, significant)", points, who);
-        const auto pooled =
-            words_.say("{} points ({}, significant, but not by the paired t-test)", points, who);
-        outcome.differences.push_back(
-            !isSignificant                       ? plain
-            : agrees || !family.isNamed("welch") ? clear
-                                                 : pooled);
       }
     }
     return outcome;

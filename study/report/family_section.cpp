@@ -27,9 +27,9 @@ class FamilyWriter : HtmlWriter {
     if (isShownByPoint(result_)) {
       figureOrReference(MainFigure::Answers, figures_.answers, kAnswersCaption);
     }
+    if (result_.isNamed("welch")) putPooledTests();
     figureOrReference(
         MainFigure::ParticipantMeans, figures_.participantMeans, kParticipantMeansCaption);
-    if (result_.isNamed("welch")) putPooledTests();
     html_ += withinAsHtml(section_, result_, figures_.effects);
     html_ += sitesAsHtml(section_, result_, figures_.sites);
     checks();
@@ -43,7 +43,7 @@ class FamilyWriter : HtmlWriter {
   void figureOrReference(MainFigure kind, const std::string& svg, std::string_view caption) {
     const auto answers = say("The answers:");
     if (mainFigureOf(section_, result_) == kind && !svg.empty()) {
-      put("<p>{} {}</p>", answers, reference("answer-figure"));
+      put("<p class=\"note\">{} {}.</p>", answers, reference("answer-figure"));
     } else {
       figure(svg, caption);
     }
@@ -113,7 +113,7 @@ class FamilyWriter : HtmlWriter {
          kT,
          kDf,
          kP,
-         say("adjusted p")});
+         correction.empty() ? kP : withSubscripts(fmt::format("p_{}", correction))});
     for (const auto& part : result_.cohorts) {
       if (!hasAnswers(part)) continue;
       const auto& perTest = part.comparisons.alphaPerTest;
@@ -129,7 +129,7 @@ class FamilyWriter : HtmlWriter {
     note(
         result_.isConfirmatory("welch")
             ? "All answers are pooled and taken as independent, as in the punch paper and as the "
-              "protocol declares. Bold: adjusted p ≤ α."
+              "protocol declares. Bold: p ≤ α after correction."
             : "All answers are pooled and taken as independent, as in the punch paper "
               "(exploratory).");
   }

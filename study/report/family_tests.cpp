@@ -190,6 +190,12 @@ class TestsWriter : HtmlWriter {
     const auto normality = say(
         "Shapiro–Wilk W: of the differences, with p in brackets. The paired t-test takes them as "
         "normal; no test is chosen by W.");
+    const auto declared = say("Where tests disagree, the declared one decides.");
+    const auto others =
+        say("Of the other tests, the exact ones (sign flip, signed rank) assume least, and the "
+            "models of single answers most.");
+    add(result_.isDeclared, declared);
+    add(true, others);
     add(bound.has_value(), within);
     add(!result_.isNamed("welch"), marked);
     add(hasW, normality);

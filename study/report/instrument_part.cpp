@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <map>
 #include <set>
 
+#include "base/joined.h"
 #include "questionnaires/scoring/scoring.h"
 #include "study/model/data_table.h"
 #include "study/report/html_writer.h"
@@ -23,6 +25,8 @@ class InstrumentWriter : HtmlWriter {
     const auto beyond =
         say("Intervals are Student’s: they may pass an end of the range, and are not cut there.");
     put("<p class=\"note\">{}{}</p>", range, isIntervalBeyondScale_ ? " " + beyond : std::string());
+    scoresOfOwnStatements();
+    hiddenScores();
     const auto* family = mainFamily(section_);
     if (family != nullptr) leftOutOfScore(family->family);
     if (hasConditionScore_ && family != nullptr && family->isNamed("welch")) {
@@ -45,6 +49,58 @@ class InstrumentWriter : HtmlWriter {
       if (found == nullptr) continue;
       write(*found, escaped(found->title.in(section_.words.language())), summary);
     }
+  }
+
+  /// Which instruments have statements of its own for each alternative, and so scores that are not
+  /// of the same statements.
+  void scoresOfOwnStatements() {
+    forEach([&](const auto& instrument, const auto& title, const auto& summary) {
+      std::map<std::string, std::set<std::string>> scoresOf;  // condition, its scores
+      for (const auto& one : summary.scores) {
+        const bool isAsked = !one.values.empty() || one.missing > 0;
+        if (isAsked && !one.condition.empty()) scoresOf[one.condition].insert(one.score);
+      }
+      std::set<std::string> all;
+      std::size_t sum = 0;
+      for (const auto& [id, scores] : scoresOf) {
+        all.insert(scores.begin(), scores.end());
+        sum += scores.size();
+      }
+      if (scoresOf.size() < 2 || all.size() < sum || !isShown(instrument)) return;
+      note(
+          "“{}” asks different statements about each alternative, so each has a score of its own.",
+          title);
+    });
+  }
+
+  /// The scores without a row, because they would show a single answer of one person.
+  void hiddenScores() {
+    std::vector<std::string> hidden;
+    forEach([&](const auto& instrument, const auto& title, const auto& summary) {
+      if (summary.forms == 0) return;
+      const bool isAnyShown = isShown(instrument);
+      for (const auto& score : instrument.scores) {
+        if (std::ranges::find(summary.scores, score.id, &ScoreSummary::score) !=
+            summary.scores.end())
+          continue;
+        const auto own = escaped(score.title.in(section_.words.language()));
+        const auto& name = isAnyShown ? own : title;
+        if (std::ranges::find(hidden, name) == hidden.end()) hidden.push_back(name);
+      }
+    });
+    const auto list = base::joined(hidden, ", ");
+    if (!hidden.empty()) {
+      put("<p class=\"note\">{} {}</p>",
+          say("Asked, but left out, because the answer of one person to a single item could be "
+              "worked out:"),
+          list);
+    }
+  }
+
+  bool isShown(const questionnaires::Instrument& instrument) const {
+    return std::ranges::any_of(section_.results.instruments, [&](const auto& summary) {
+      return summary.instrument == instrument.id && !summary.scores.empty();
+    });
   }
 
   /// The statements of a family's comparisons that the score of its instrument leaves out.

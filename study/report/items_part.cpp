@@ -65,7 +65,9 @@ class ItemsWriter : HtmlWriter {
         say("Each of the {} texts is only “{}”.",
             all.size(),
             all.empty() ? std::string() : all.front().text);
-    if (areAlike(all)) return "<p>" + alike + "</p>\n";
+    const auto placeholders = say("Simulated participants write nothing.");
+    const bool isSimulated = section_.results.runMode == RunMode::Simulated;
+    if (areAlike(all)) return "<p>" + (isSimulated ? placeholders : alike) + "</p>\n";
     for (const auto& instrument : section_.instruments) writeQuotes(instrument, false);
     const auto own = std::exchange(html_, {});
     for (const auto& instrument : section_.instruments) writeQuotes(instrument, true);
@@ -190,12 +192,9 @@ class ItemsWriter : HtmlWriter {
     for (const auto& one : section_.protocol.conditions) columns.push_back(escaped(one.title));
     const auto rows =
         summariesOf(instrument, [](const auto& one) { return one.mean && !one.condition.empty(); });
-    table(captionOfNumbers(instrument, rows), columns);
-    const std::string* item = nullptr;
+    std::vector<Line> lines;
     for (auto at = rows.begin(); at != rows.end();) {
       const auto& first = **at;
-      if (item == nullptr || *item != first.item) group(markedQuestionOf(instrument, first.item));
-      item = &first.item;
       std::size_t people = 0;
       std::vector<std::string> cells(columns.size());
       for (; at != rows.end() && (*at)->item == first.item && (*at)->cohort == first.cohort; ++at) {
@@ -210,9 +209,41 @@ class ItemsWriter : HtmlWriter {
         continue;
       }
       hasTable_ = true;
-      row(cells);
+      add(lines, {markedQuestionOf(instrument, first.item), first.cohort, std::move(cells)});
+    }
+    table(captionOfNumbers(instrument, rows), columns);
+    const std::string* question = nullptr;
+    for (const auto& line : lines) {
+      if (question == nullptr || *question != line.question) group(line.question);
+      question = &line.question;
+      row(line.cells);
     }
     endTable();
+  }
+
+  /// A row of numbersByAlternative().
+  struct Line {
+    std::string question;
+    std::string cohort;
+    std::vector<std::string> cells;  ///< the cohort, the number of people, the alternatives
+  };
+
+  /// Adds a row below the others of its question. What the same people of a cohort said to the same
+  /// statement about other alternatives is in the same row.
+  static void add(std::vector<Line>& lines, Line line) {
+    auto after = lines.end();
+    for (auto other = lines.begin(); other != lines.end(); ++other) {
+      if (other->question != line.question) continue;
+      after = other + 1;
+      bool isFree = other->cohort == line.cohort && other->cells[1] == line.cells[1];
+      for (std::size_t i = 2; i < line.cells.size(); ++i) {
+        isFree = isFree && (line.cells[i].empty() || other->cells[i].empty());
+      }
+      if (!isFree) continue;
+      for (std::size_t i = 2; i < line.cells.size(); ++i) other->cells[i] += line.cells[i];
+      return;
+    }
+    lines.insert(after, std::move(line));
   }
 
   static std::vector<const questionnaires::Item*> itemsOf(
@@ -302,8 +333,10 @@ class ItemsWriter : HtmlWriter {
       const auto* caption =
           isChoice
               ? "“{}”: how often each answer was given, by cohort and alternative."
-              : "“{}”, by participants’ means: the box holds the middle half, with the median; the "
-                "diamond is the mean. Dots are single people, where there are at most fifty.";
+              : "“{}”, by participants’ means: dots are single people, where there are at most "
+                "fifty; the upright line is the median, the diamond the mean; the box, of ten "
+                "people "
+                "or more, holds the middle half.";
       putFigure(
           one.svg,
           fmt::format(

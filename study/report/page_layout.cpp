@@ -21,7 +21,7 @@ namespace {
 constexpr double kLeastScale = 0.93;  // of a figure: its letters are then 7 pt high
 constexpr int kFirstRows = 6;         // of a divided table: with the rows of its head
 constexpr int kLastRows = 4;
-constexpr int kWholeRows = 12;      // of a table that is never divided: with the rows of its head
+constexpr int kWholeRows = 9;       // of a table that is never divided: with the rows of its head
 constexpr double kPadding = 4.0;    // beside a cell's text, as in print_html.cpp [px]
 constexpr double kSlack = 1.0;      // rounding of the layout [px]
 constexpr double kThickRule = 1.3;  // [px]

@@ -14,7 +14,7 @@ namespace {
 
 // clang-format off
 constexpr std::array kPublications{
-    Publication{"AERA et al. 1999", "AERA; APA; NCME", "Standards for educational and psychological testing", "American Educational Research Association", "", "", ""},
+    Publication{"AERA et al. 2014", "AERA; APA; NCME", "Standards for educational and psychological testing", "American Educational Research Association", "", "", ""},
     Publication{"Bates et al. 2015", "Bates D; Mächler M; Bolker B; Walker S", "Fitting linear mixed-effects models using lme4", "Journal of Statistical Software", "67(1)", "1–48", "10.18637/jss.v067.i01"},
     Publication{"Benjamini & Hochberg 1995", "Benjamini Y; Hochberg Y", "Controlling the false discovery rate: A practical and powerful approach to multiple testing", "Journal of the Royal Statistical Society: Series B", "57(1)", "289–300", "10.1111/j.2517-6161.1995.tb02031.x"},
     Publication{"Benjamini & Yekutieli 2001", "Benjamini Y; Yekutieli D", "The control of the false discovery rate in multiple testing under dependency", "The Annals of Statistics", "29(4)", "1165–1188", "10.1214/aos/1013699998"},
@@ -39,6 +39,7 @@ constexpr std::array kPublications{
     Publication{"Liddell & Kruschke 2018", "Liddell TM; Kruschke JK", "Analyzing ordinal data with metric models: What could possibly go wrong?", "Journal of Experimental Social Psychology", "79", "328–348", "10.1016/j.jesp.2018.08.009"},
     Publication{"Mann & Whitney 1947", "Mann HB; Whitney DR", "On a test of whether one of two random variables is stochastically larger than the other", "The Annals of Mathematical Statistics", "18(1)", "50–60", "10.1214/aoms/1177730491"},
     Publication{"McDonald 1999", "McDonald RP", "Test theory: A unified treatment", "Lawrence Erlbaum", "", "", ""},
+    Publication{"Messick 1995", "Messick S", "Validity of psychological assessment: Validation of inferences from persons’ responses and performances as scientific inquiry into score meaning", "American Psychologist", "50(9)", "741–749", "10.1037/0003-066X.50.9.741"},
     Publication{kReamingPaper, "Pelliccia L; Lorenz M; Heyde C-E; Kaluschke M; Klimant P; Knopp S; Schleifenbaum S; Rotsch C; Weller R; Werner M; Zachmann G; Zajonz D; Hammer N", "A cadaver-based biomechanical model of acetabulum reaming for surgical virtual reality training simulators", "Scientific Reports", "10", "14545", "10.1038/s41598-020-71499-5"},
     Publication{"Rouder et al. 2009", "Rouder JN; Speckman PL; Sun D; Morey RD; Iverson G", "Bayesian t tests for accepting and rejecting the null hypothesis", "Psychonomic Bulletin & Review", "16(2)", "225–237", "10.3758/PBR.16.2.225"},
     Publication{"Royston 1995", "Royston P", "Remark AS R94: A remark on algorithm AS 181: The W-test for normality", "Applied Statistics", "44(4)", "547–551", "10.2307/2986146"},

@@ -84,7 +84,7 @@ class StatisticsWriter : HtmlWriter {
     corrections();
     const auto validity = section_.words.say(
         "Evidence of validity is arranged by the five sources of the Standards {}.",
-        citations_.cite("AERA et al. 1999, Cook & Hatala 2016"));
+        citations_.cite("AERA et al. 2014, Messick 1995, Cook & Hatala 2016"));
     add(true, validity);
     put("<p>{} {}</p>", plan(), withSubscripts(escaped(withCurlyQuotes(text_))));
     return std::move(html_);

@@ -22,6 +22,11 @@ class HeadWriter : HtmlWriter {
     if (!more.empty()) put("<p>{}</p>", escaped(more));
     if (!section_.results.families.empty()) heading("The question");
     for (const auto& family : section_.results.families) putDeclared(family);
+    const auto names =
+        say("Titles of the study, of its methods and of what is compared are as in "
+            "the protocol, which has them in one language.");
+    const bool isTranslated = section_.words.language() != "en";
+    if (isTranslated && !section_.results.families.empty()) put("<p class=\"note\">{}</p>", names);
     return std::move(html_);
   }
 

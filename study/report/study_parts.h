@@ -168,11 +168,9 @@ inline constexpr std::string_view kAnswersCaption =
     "is good; the middle of the scale is centred. Numbers are counts, where there is room.";
 
 inline constexpr std::string_view kParticipantMeansCaption =
-    "What participants thought, by the mean of all that each answered about a method: the box "
-    "holds "
-    "the middle half, with the median; the diamond is the mean. Dots are single people, where "
-    "there "
-    "are at most fifty.";
+    "What participants thought, by the mean of all that each answered about a method: dots are "
+    "single people, where there are at most fifty; the upright line is the median, the diamond the "
+    "mean; the box, of ten people or more, holds the middle half.";
 
 /// The largest number of points of a scale whose answers are counted point by point.
 inline constexpr int kMostBars = 11;

@@ -14,8 +14,9 @@ namespace {
 constexpr RowMeasures kParticipantMeansRows{.names = 190.0, .texts = 122.0, .height = 24.0};
 constexpr double kBox = 16.0;
 constexpr double kDot = 2.8;
-constexpr std::size_t kMostDots = 50;  // of more people the box is enough
-constexpr double kMargin = 0.075;      // beside the scale, as a share of its width
+constexpr std::size_t kMostDots = 50;     // of more people the box is enough
+constexpr std::size_t kFewestBoxed = 10;  // of fewer people a box hides more than it says
+constexpr double kMargin = 0.075;         // beside the scale, as a share of its width
 
 std::vector<double> valuesOf(const analysis::AnswerTable& table, std::size_t method) {
   std::vector<double> values;
@@ -93,7 +94,8 @@ class ParticipantMeansPainter {
     const double high = canvas_.x(quantile(values, 0.75));
     painter_.setPen(QPen(colour, 1.4));
     painter_.setBrush(Qt::white);
-    painter_.drawRect(QRectF(low, middle - kBox / 2, high - low, kBox));
+    const bool isBoxed = values.size() >= kFewestBoxed;
+    if (isBoxed) painter_.drawRect(QRectF(low, middle - kBox / 2, high - low, kBox));
     const double mean = canvas_.x(meanOf(values));
     painter_.setPen(QPen(Qt::black, 1.2));
     painter_.drawPolygon(QPolygonF(

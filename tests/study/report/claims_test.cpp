@@ -67,10 +67,10 @@ TEST(Claims, ConfirmsAPooledResultOnlyInItsOwnCohort) {
     }
   }
   const auto [finding, more, caveats] = conclusionOf(section);
-  EXPECT_TRUE(has(finding, " higher than FEM (finite elements) in 1 of 2 cohorts and KF "))
+  EXPECT_TRUE(has(finding, " (finite elements) and KF (Kalman filter) in 1 of 2 cohorts. "))
       << finding;
   EXPECT_TRUE(has(finding, "this does not hold for FEM and KF. ")) << finding;
-  EXPECT_TRUE(has(more, "significant, but not by the paired t-test)")) << more;
+  EXPECT_TRUE(has(more, "Whether cohorts differ in these differences was not tested. ")) << more;
 }
 
 TEST(Claims, TellsSignificantDifferencesThatTheBestAlternativeHasNoPartIn) {
@@ -315,16 +315,9 @@ TEST(Claims, DrawsNoDifferenceOfCohortsFromDifferencesOfSignificance) {
   EXPECT_FALSE(has(answer, "only by")) << answer;
   EXPECT_TRUE(
       has(conclusionOf(section).finding,
-          " significantly higher than FEM (finite elements) in 1 of 2 cohorts and KF (Kalman "
-          "filter) in "
-          "1 of 2 cohorts. "))
+          " higher than FEM (finite elements) and KF (Kalman filter) in 1 of 2 cohorts. "))
       << answer;
   EXPECT_TRUE(has(answer, ". Whether cohorts differ in these differences was not tested."))
-      << answer;
-  EXPECT_TRUE(
-      has(answer,
-          "Interpolation was rated higher than FEM by 1.04 points (Orthopaedic surgeons, "
-          "significant) and 0.48 points (Adults without surgical experience, not significant)."))
       << answer;
 }
 

@@ -355,7 +355,37 @@ TEST(ItemSummaries, MarkReversedQuestionsAndSayTextsThatAreAlikeOnce) {
   EXPECT_NE(page.find("(R): a high answer is bad"), std::string::npos) << page;
   section.results.answers.quotes = {
       {"mine", "why", "kalman", "simulated"}, {"mine", "why", "kalman", "simulated"}};
+  EXPECT_EQ(report::quotesAsHtml(section), "<p>Simulated participants write nothing.</p>\n");
+  section.results.runMode = RunMode::Live;
   EXPECT_EQ(report::quotesAsHtml(section), "<p>Each of the 2 texts is only “simulated”.</p>\n");
+}
+
+/// The published study asks two of its statements about two methods each, as items of their own.
+TEST(ItemSummaries, PutTheSameStatementAboutSeveralAlternativesInOneRow) {
+  auto section = tests::madeUpSection();
+  auto other = mine();
+  other.items.push_back(other.items.front());
+  other.items.back().id = "vas-2";
+  section.instruments.push_back(other);
+  const auto answers = [](const char* item, const char* condition, double mean) {
+    return ItemSummary{
+        .instrument = "mine",
+        .item = item,
+        .cohort = "professional",
+        .condition = condition,
+        .values = {mean, mean},
+        .mean = mean,
+        .standardDeviation = 0.0};
+  };
+  section.results.answers.items = {
+      answers("vas", "interpolation", 3.5), answers("vas-2", "kalman", 4.5)};
+  EXPECT_NE(
+      report::itemsAsHtml(section).find("<td>2</td><td>3.50 (0.00)</td><td>4.50 (0.00)</td></tr>"),
+      std::string::npos)
+      << report::itemsAsHtml(section);
+  section.results.answers.items.back().values.push_back(4.5);
+  EXPECT_NE(report::itemsAsHtml(section).find("<td>3</td>"), std::string::npos)
+      << "of other people, in a row of its own";
 }
 
 TEST(ScaleInWords, HasTheWordsAtTheEndsOfASlider) {

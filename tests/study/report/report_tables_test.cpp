@@ -172,7 +172,7 @@ TEST_F(ReportTables, OfWelchsTestsHasThePlainIntervalAndBothP) {
       {"t", "2.09"},
       {"df", "21.11"},
       {"p", ".212"},
-      {"adjusted p", ".214"}};
+      {"pHolm", ".214"}};
   section_.results.families.front().family.test = protocols::TestType::Welch;
   const auto table = tableOf(asHtml({section_}), "Welch’s t-tests with Holm correction, α = 0.01");
   EXPECT_EQ(table.byHeading(), std::vector{expected});
