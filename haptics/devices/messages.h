@@ -137,12 +137,12 @@ inline constexpr auto kDeviceMessages = std::to_array<base::MessageKind>({
     {"check.clock.drift", "{:+.1f} ppm"},
     {"check.clock.fix",
      "The device's clock may be broken; times of the device are not to be used."},
-    {"check.median_and_p99", "median {:.0f} µs, p99 {:.0f} µs"},
+    {"check.median_and_p99", "half within {:.0f} µs, 99 of 100 within {:.0f} µs"},
     {"check.force", "force at most"},
 
     // Checks of a board
     {"check.firmware", "firmware"},
-    {"check.firmware.found", "protocol {}, board {}, up to {:.1f} V, {} Hz"},
+    {"check.firmware.found", "fits this program (protocol {}, board {}), up to {:.1f} V, {} Hz"},
     {"check.telemetry", "telemetry"},
     {"check.telemetry.rate", "{:.0f} samples/s of {:.0f}"},
     {"check.telemetry.fix",
