@@ -279,6 +279,16 @@ class LimitationsWriter : HtmlWriter {
     return alone.empty() ? std::string() : section_.results.completed() == 1 ? only : each;
   }
 
+  /// In how many sessions the operator saw the forces; empty if in none, or if nothing is hidden.
+  std::string forcesSeenInWords() const {
+    const auto seen =
+        say("The operator saw the forces in {} of {} sessions",
+            section_.sessionsWithForces,
+            section_.results.completed());
+    const bool isHidden = !section_.protocol.isOpenLabel;
+    return section_.sessionsWithForces > 0 && isHidden ? seen : std::string();
+  }
+
   /// "Orthopaedic surgeons 1 of 6"; empty if all that were planned completed.
   std::string missingParticipantsInWords() const {
     std::string fewer;
