@@ -83,7 +83,7 @@ void Welcome::addCard(const StartOption& way) {
   lines->addWidget(what, 1);
   lines->addSpacing(8);
   lines->addWidget(button);
-  if (button->property("role") == QStringLiteral("main")) button->setFocus();  // one emphasis
+  if (button->property("role") == QStringLiteral("main")) main_ = button;
   connect(button, &QPushButton::clicked, this, way.requestSignal);
   cards_->addWidget(card, 1);
 }
@@ -102,6 +102,12 @@ QWidget* Welcome::makeLinks() {
   add(tr("Check protocol…"), &Welcome::protocolCheckRequested);
   line->addStretch(1);
   return row;
+}
+
+/// The main button has the focus as well, so that one place is emphasised.
+void Welcome::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  main_->setFocus();
 }
 
 void Welcome::resizeEvent(QResizeEvent* event) {

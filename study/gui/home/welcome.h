@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QBoxLayout>
+#include <QPushButton>
 #include <QWidget>
 
 namespace study::gui {
@@ -22,12 +23,14 @@ class Welcome final : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   struct StartOption;
   void addCard(const StartOption& way);
   QWidget* makeLinks();
 
+  QPushButton* main_ = nullptr;
   QBoxLayout* cards_;  ///< beside each other; below each other in a narrow window
 };
 

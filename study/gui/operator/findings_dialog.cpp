@@ -63,7 +63,7 @@ FindingsDialog::FindingsDialog(
   layout->addWidget(table_, kAlmostAll);
   layout->addStretch(1);
   layout->addLayout(buttons);
-  resizeOnScreen(*this, {1000, 520});
+  resizeOnScreen(*this, {1000, 460});
   close->setFocus();
   show(found);
 }

@@ -1,5 +1,6 @@
 #include "study/gui/widgets/message_box.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QDialogButtonBox>
@@ -111,7 +112,8 @@ MessageBox::MessageBox(
   setWindowTitle(withArguments(row.title, arguments));
   const QString headline = withArguments(row.headline, arguments);
   QStringList paragraphs{
-      why.trimmed(), withArguments(row.data, arguments), withArguments(row.advice, arguments)};
+      withArguments(row.data, arguments), why.trimmed(), withArguments(row.advice, arguments)};
+  if (row.kind == MessageRow::Kind::Failure) std::swap(paragraphs[0], paragraphs[1]);
   paragraphs.removeAll(QString());
   words_ = QStringList(headline) + paragraphs;
   auto* layout = new QVBoxLayout(this);
@@ -119,6 +121,12 @@ MessageBox::MessageBox(
   if (row.field != MessageRow::Field::None) addField(row);
   addButtons(row);
   updateButtons();
+}
+
+/// High enough for words that wrap: before they had the theme's font they were measured too low.
+void MessageBox::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
 }
 
 void MessageBox::addField(const MessageRow& row) {

@@ -23,7 +23,8 @@ class MessageBox final : public QDialog {
 
  public:
   /// @param arguments  replace %1, %2, … in the words of the topic.
-  /// @param why  shown as it is, after what it means for the data: an error, or a list.
+  /// @param why  shown as it is: the cause of a failure, before what it means for the data, or a
+  /// list after it.
   MessageBox(
       MessageTopic topic,
       const QStringList& arguments,
@@ -42,6 +43,9 @@ class MessageBox final : public QDialog {
 
   /// Adds a widget below the words.
   void add(QWidget& widget);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
 
  private:
   void addField(const MessageRow& row);

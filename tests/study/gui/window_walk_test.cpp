@@ -104,7 +104,7 @@ class Windows {
          [] {
            return make<MessageBox>(
                MessageTopic::RepeatStep,
-               QStringLiteral("7|Round 1: Alternative 2").split('|'),
+               QStringLiteral("7|Round 1: Alternative\u00a02").split('|'),
                QString());
          }},
         {"NewStudyDialog", [] { return make<NewStudyDialog>(); }},

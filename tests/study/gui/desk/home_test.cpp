@@ -513,6 +513,16 @@ TEST_F(HomeTest, SaysHowFarAStudyHasComeOnADayOfSessions) {
   tests::photographInAllThemes(home, QStringLiteral("home-day"));
 }
 
+TEST_F(HomeTest, BeginsAtTheButtonForANewStudy) {
+  HomeWindow home;
+  home.show();
+  home.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&home));
+  auto* focused = qobject_cast<QPushButton*>(home.focusWidget());
+  ASSERT_NE(focused, nullptr);
+  EXPECT_EQ(focused->property("role").toString(), QStringLiteral("main"));
+}
+
 TEST_F(HomeTest, OffersToResumeAfterACrash) {
   HomeWindow home;
   home.resize(1240, 900);
