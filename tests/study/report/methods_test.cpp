@@ -106,8 +106,11 @@ TEST(Methods, SaysThatOperatorsSawTheForces) {
   const auto text = methodsOf(section);
   EXPECT_FALSE(has(text, "Participants and operators saw labels only")) << text;
   EXPECT_TRUE(has(text, " sessions the operator saw the forces, which differ between conditions."));
+  EXPECT_TRUE(has(weaknessesAsHtml(section), "<li>The operator saw the forces in 2 of "));
+  EXPECT_TRUE(has(limitationsAsHtml(section), "<dt>The operator saw the forces in 2 of "));
   section.results.runMode = study::RunMode::Pilot;
   section.sessionsWithForces = 0;
+  EXPECT_FALSE(has(weaknessesAsHtml(section), "saw the forces"));
   EXPECT_FALSE(has(methodsOf(section), "operators saw labels only")) << "pilots show the forces";
 }
 
