@@ -68,10 +68,10 @@ QPushButton[role="next"]:disabled { color: @disabled.text; background: @disabled
 QPushButton[role="next"]:focus { border: 6px double @accent.text; padding: 2px 12px; }
 QPushButton[role="main"] { color: @accent.text; background: @accent; border-color: @accent; font-weight: 600; }
 QPushButton[role="main"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
-QPushButton[role="main"]:focus { border: 6px double @accent.text; padding: 2px 12px; }
+QPushButton[role="main"]:focus { border: 6px double @accent.text; border-radius: 0; padding: 2px 12px; }
 QPushButton[role="danger"] { color: @bad.text; background: @bad; border-color: @bad; font-weight: 600; }
 QPushButton[role="danger"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
-QPushButton[role="danger"]:focus { border: 6px double @bad.text; padding: 2px 12px; }
+QPushButton[role="danger"]:focus { border: 6px double @bad.text; border-radius: 0; padding: 2px 12px; }
 QPushButton[role="back"] { font-size: 20px; min-height: 46px; }
 QPushButton[role="point"], QPushButton[role="option"] { border-width: 1px; }
 QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 46px; padding: 5px; }
