@@ -1,6 +1,7 @@
 #include "study/gui/desk/erase_dialog.h"
 
 #include <map>
+#include <set>
 
 #include <QFileInfo>
 
@@ -21,14 +22,18 @@ namespace {
 /// The participants that can be erased, with the names that they gave.
 std::map<std::string, std::string> namesByCode(Study& study) {
   std::map<std::string, std::string> people;
+  std::set<std::string> simulated;
   for (const auto& row : study.sessions().all()) {
-    if (row.runMode != RunMode::Simulated && row.state != SessionState::Erased) {
+    if (row.runMode == RunMode::Simulated) {
+      simulated.insert(row.participant);
+    } else if (row.state != SessionState::Erased) {
       people.try_emplace(row.participant);
     }
   }
   if (study.identities().isLocked()) return people;
   for (const auto& name : study.identities().names()) {
-    auto& names = people[name.participant];
+    if (simulated.contains(name.participant)) continue;
+    auto& names = people[name.participant];  // also of one whose answers are erased
     names += (names.empty() ? "" : ", ") + name.text;
   }
   return people;

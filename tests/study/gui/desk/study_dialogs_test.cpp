@@ -21,6 +21,7 @@
 #include "protocols/load_protocol.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/export/public_tables.h"
+#include "study/gui/desk/erase_dialog.h"
 #include "study/gui/desk/export_dialog.h"
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/task_dialogs.h"
@@ -451,6 +452,29 @@ TEST_F(StudyDialogsTest, ReportRefusesToOverwriteAFile) {
   press(dialog, out_ / "report.html");
   EXPECT_TRUE(told.contains(QStringLiteral("is there already"))) << told.toStdString();
   EXPECT_EQ(tests::contentOf(out_ / "report.html"), "mine");
+}
+
+TEST_F(StudyDialogsTest, ExportOffersNoExactAgesWhereNoneIsAskedAndWarnsOfExactDates) {
+  SystemClock clock;
+  questionnaires::Problems problems;
+  Study::create(
+      out_ / "live", *protocols::loadProtocolFile("punch-face-validity", problems), clock, 7);
+  ExportDialog dialog(summaryOf(out_ / "live"));
+  dialog.show();
+  auto* exact = dialog.findChild<QCheckBox*>(QStringLiteral("exact"));
+  EXPECT_EQ(exact->text().remove(u'&'), QStringLiteral("Exact dates and times"));
+  const auto warning = QStringLiteral("Exact dates point to people");
+  EXPECT_FALSE(more(dialog).contains(warning));
+  exact->setChecked(true);
+  EXPECT_TRUE(more(dialog).contains(warning)) << more(dialog).toStdString();
+}
+
+TEST_F(StudyDialogsTest, EraseSaysFirstThatThereIsNobody) {
+  EraseDialog dialog(summary());
+  dialog.show();
+  const auto* notice = dialog.findChild<QLabel*>(QStringLiteral("notice"));
+  EXPECT_TRUE(notice->text().contains(QStringLiteral("nobody to erase"))) << "all are simulated";
+  EXPECT_FALSE(dialog.findChild<QComboBox*>(QStringLiteral("participant"))->isVisible());
 }
 
 TEST_F(StudyDialogsTest, ExportNamesConditionsOnlyWhereAReasonIsGiven) {
