@@ -30,7 +30,7 @@ BoneColoursWindow::BoneColoursWindow(
   colours_->addItem(
       tr("nothing, as participants see it"), static_cast<int>(SphereColours::Neutral));
   colours_->setAccessibleName(tr("What the colour shows"));
-  picture_->setMinimumSize(320, 190);
+  picture_->setMinimumSize(320, 210);
   picture_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setAccessibleName(tr("The bone, cut open along the reamer's axis"));
@@ -44,8 +44,9 @@ BoneColoursWindow::BoneColoursWindow(
   layout->addLayout(row);
   layout->addWidget(picture_, 1);
   layout->addWidget(legend_);
-  layout->addWidget(
-      quietLabel(tr("White: the reamer. The bone is cut open along its axis."), this));
+  auto* reading = quietLabel(tr("White: the reamer. The bone is cut open along its axis."), this);
+  reading->setWordWrap(false);  // otherwise the window opens as low as it can
+  layout->addWidget(reading);
 
   BoneColoursPainter::Changes past;
   if (trial_) {
