@@ -59,13 +59,15 @@ void inspectTexts(const Wording& wording, const Instrument& instrument, Problems
 
 /// Removes @p language and all texts in it from @p instrument.
 void removeLanguage(const std::string& language, Instrument& instrument) {
+  const auto remove = [&](LocalizedText& text) {
+    auto texts = text.all();
+    texts.erase(language);
+    text = LocalizedText(std::move(texts));
+  };
   for (const auto& place : textPlacesOf(instrument)) {
-    for (auto* text : place.texts) {
-      auto texts = text->all();
-      texts.erase(language);
-      *text = LocalizedText(std::move(texts));
-    }
+    for (auto* text : place.texts) remove(*text);
   }
+  for (auto& score : instrument.scores) remove(score.title);
   auto& languages = instrument.languages;
   std::erase(languages, language);
 }
