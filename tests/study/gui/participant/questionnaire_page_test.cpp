@@ -336,7 +336,7 @@ TEST(QuestionnairePage, HasTheSignatureAndTheDateBelowTheConsent) {
                                     .toString(QDate::currentDate(), QStringLiteral("d MMMM yyyy"));
   }));
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-    return label->text().contains(QStringLiteral("if you consent: (optional)"));
+    return label->text().contains(QStringLiteral("counts without it. (optional)"));
   })) << "a name need not be given";
 }
 
