@@ -1,5 +1,7 @@
 #include "study/gui/participant/benchmark_page.h"
 
+#include <algorithm>
+
 #include "study/gui/participant/column.h"
 #include "study/gui/participant/cut_counter.h"
 #include "study/gui/participant/stage.h"
@@ -16,13 +18,17 @@ BenchmarkPage::BenchmarkPage(const Content& content, QWidget* picture, QWidget* 
       next_(new QPushButton(content.next, this)) {
   addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
   stage_->setCaption(tr("The real instrument, not the simulator"));
-  auto* text = textLabel(content.text, this);
-  auto* key =
+  // what stands before the steps is a warning
+  const auto steps = content.text.indexOf(QStringLiteral("\n\n1. "));
+  auto* warning = bodyLabel(content.text.left(std::max<qsizetype>(0, steps)), this);
+  auto* text = textLabel(content.text.mid(steps < 0 ? 0 : steps + 2), this);
+  auto* purpose =
       bodyLabel(tr("You will compare what you feel on the simulator with these cuts."), this);
-  text->setProperty("role", QStringLiteral("statement"));
-  key->setProperty("role", QStringLiteral("key"));
+  warning->setProperty("role", QStringLiteral("key"));
+  warning->setVisible(steps > 0);
+  for (auto* label : {text, purpose}) label->setProperty("role", QStringLiteral("statement"));
   enoughHint_->setProperty("role", QStringLiteral("text"));
-  for (auto* label : {text, key, enoughHint_}) stage_->words().addWidget(label);
+  for (auto* label : {warning, text, purpose, enoughHint_}) stage_->words().addWidget(label);
   stage_->setCounter(cutCounter_);
   stage_->addButton(next_);
   connect(next_, &QPushButton::clicked, this, &BenchmarkPage::finishRequested);

@@ -1,6 +1,7 @@
 #include "study/gui/participant/choice_items.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QGridLayout>
 #include <QLabel>
@@ -22,6 +23,12 @@ QLabel* anchor(const QString& text, Qt::Alignment alignment, QWidget* parent) {
   label->setWordWrap(true);
   label->setAlignment(alignment | Qt::AlignTop);
   return label;
+}
+
+/// The words of two ends, of two words each, with a line for each word: both wrap alike.
+std::pair<QString, QString> brokenAlike(QString low, QString high) {
+  if (low.count(u' ') != 1 || high.count(u' ') != 1) return {low, high};
+  return {low.replace(u' ', u'\n'), high.replace(u' ', u'\n')};
 }
 
 constexpr int kMostInARow = 11;  // points of a scale
@@ -76,8 +83,9 @@ void PointItem::addWordsBelow(int columns, const QString& low, const QString& hi
     constexpr int kFewPoints = 5;  // each is wide enough for the words of an end
     const bool isWide = columns <= kFewPoints;
     const int across = isWide ? 1 : columns / 2;
-    auto* left = anchor(low, isWide ? Qt::AlignHCenter : Qt::AlignLeft, this);
-    auto* right = anchor(high, isWide ? Qt::AlignHCenter : Qt::AlignRight, this);
+    const auto ends = isWide ? brokenAlike(low, high) : std::pair(low, high);
+    auto* left = anchor(ends.first, isWide ? Qt::AlignHCenter : Qt::AlignLeft, this);
+    auto* right = anchor(ends.second, isWide ? Qt::AlignHCenter : Qt::AlignRight, this);
     for (auto* word : {left, right})
       word->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     words->addWidget(left, 0, 0, 1, across);

@@ -191,12 +191,7 @@ QString ParticipantWindow::alternativeName(const QString& label) const {
 
 /// "Alternative 1 of 3" if the number is the place in the round, and else only the name.
 QString ParticipantWindow::alternativeTitle() const {
-  const auto& session = controller_.session();
-  const auto name = alternativeName(QString::number(session.step().label));
-  const auto place = placeOf(session);
-  return place.position > 0 && isLabelledByPosition(session)
-             ? tr("%1 of %2").arg(name).arg(place.alternatives)
-             : name;
+  return alternativeName(QString::number(controller_.session().step().label));
 }
 
 void ParticipantWindow::retranslate() {
@@ -406,12 +401,13 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
   if (isNumberedInFeltOrder(session))
     hints << tr("The numbers are in the order in which you felt them.");
   if (session.step().kind == StepKind::Preference) {
-    hints << tr("They cannot be felt again now. If you are unsure, follow your first impression.");
+    hints << tr("Answer from memory. If you are unsure, follow your first impression.");
     if (const auto* next = nextTrial(session)) {
       hints
           << (keepsNumbers(session, *next)
-                  ? tr("Another round follows, with the same alternatives by the same numbers.")
-                  : tr("Another round follows, in which the numbers start again."));
+                  ? tr("After this, another round follows, with the same alternatives by the same "
+                       "numbers.")
+                  : tr("After this, another round follows, in which the numbers start again."));
     }
   }
   const bool isLong = content.introduction.contains(u'\n');
@@ -469,7 +465,7 @@ QWidget* ParticipantWindow::makeBenchmark() {
   next_->setVisible(false);
   auto* page = new BenchmarkPage(
       {.text = localized(phase->text), .minimumCuts = step.minimumCuts, .next = next_->text()},
-      devices.empty() ? nullptr : toolCardOf(*devices.front().kind, this),
+      devices.empty() ? nullptr : toolCardOf(*devices.front().kind, InstrumentIs::Real, this),
       this);
   const auto show = [this, page] { page->setCuts(controller_.session().benchmarkCuts()); };
   connect(page, &BenchmarkPage::finishRequested, &controller_, &SessionController::finishStep);
@@ -555,8 +551,8 @@ QWidget* ParticipantWindow::makeMessage(const QString& title, const QString& wor
   return page;
 }
 
-/// The round, if there are several; the trial, if its number does not say it; without both the
-/// step; the page of a step that has several.
+/// The round, if there are several; the trial; without both the step; the page of a step that has
+/// several.
 QStringList ParticipantWindow::whereInSession() const {
   const auto& session = controller_.session();
   if (session.state() == SessionState::Completed) return {tr("Finished")};
@@ -565,8 +561,7 @@ QStringList ParticipantWindow::whereInSession() const {
   const auto place = placeOf(session);
   if (place.round > 0 && place.rounds > 1)
     where << tr("Round %1 of %2").arg(place.round).arg(place.rounds);
-  if (place.position > 0 && !isLabelledByPosition(session))
-    where << tr("Trial %1 of %2").arg(place.position).arg(place.alternatives);
+  if (place.position > 0) where << tr("Trial %1 of %2").arg(place.position).arg(place.alternatives);
   if (where.isEmpty())
     where << tr("Step %1 of %2").arg(session.stepIndex() + 1).arg(session.plan().size());
   if (questions_ != nullptr && questions_->sheets() > 1)

@@ -22,10 +22,10 @@ constexpr double kWholeStroke = 220.0;  // [px]: dragging distance that closes t
 constexpr int kClosingTime = 1200;      // [ms] of the space bar, from open to closed
 constexpr int kOpeningTime = 400;
 
-/// The number of a step, before its words.
+/// The number of a step, before its words, as in a numbered list.
 QLabel* stepNumber(int number, QWidget* parent) {
-  auto* label = bodyLabel(QString::number(number), parent);
-  label->setProperty("role", QStringLiteral("step"));
+  auto* label = bodyLabel(QStringLiteral("%1.").arg(number), parent);
+  label->setProperty("role", QStringLiteral("statement"));
   label->setAlignment(Qt::AlignTop);
   return label;
 }
@@ -37,7 +37,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
       content_(content),
       stage_(new Stage(
           content.title,
-          picture != nullptr ? picture : toolCardOf(*content.device, this),
+          picture != nullptr ? picture : toolCardOf(*content.device, InstrumentIs::Simulated, this),
           picture != nullptr ? Stage::Panel::Picture : Stage::Panel::Card,
           this)),
       cutCounter_(new CutCounter(
@@ -62,7 +62,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
   setAccessibleName(content.title);
   addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
   stage_->setCaption(tr("The handle of the simulator"));
-  addWords();
+  addWords(picture != nullptr);
   stage_->setCounter(cutCounter_);
   for (auto* button : {declineButton_, beginButton_, doneButton_}) stage_->addButton(button);
   connect(beginButton_, &QPushButton::clicked, this, &TrialPage::beginRequested);
@@ -90,11 +90,11 @@ void TrialPage::moveHandTo(double share, int duration) {
   hand_.start();
 }
 
-void TrialPage::addWords() {
+void TrialPage::addWords(bool hasPicture) {
   auto& words = stage_->words();
   if (content_.isByFeelAlone) {
-    auto* byFeel = bodyLabel(
-        tr("By feel alone: in this round there is no picture of what you work on."), this);
+    auto* byFeel =
+        bodyLabel(tr("By feel alone: in this round you do not see what you work on."), this);
     byFeel->setProperty("role", QStringLiteral("key"));
     words.addWidget(byFeel);
   }
@@ -112,14 +112,17 @@ void TrialPage::addWords() {
     steps->addWidget(hint, row++, 1);
   }
   words.addLayout(steps);
+  auto* cutOpen = quietLabel(tr("The bone is drawn cut open."), this);
+  cutOpen->setVisible(hasPicture && content_.device->tissue == haptics::devices::Tissue::Bone);
+  words.addWidget(cutOpen);
   pointerHint_->setObjectName(QStringLiteral("pointer-hint"));
   words.addWidget(pointerHint_);
 }
 
-/// How a stroke is made, and how often.
+/// How a stroke is made, and before the trial how often.
 QString TrialPage::howTo() const {
   const auto how = asText(content_.device->strokeHint.in(content_.language));
-  if (content_.minimumCuts < 2) return how;
+  if (isRunning_ || content_.minimumCuts < 2) return how;  // the counter then says how often
   return how + QLatin1Char(' ') + tr("Do this at least %1 times.").arg(content_.minimumCuts);
 }
 

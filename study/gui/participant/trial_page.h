@@ -62,7 +62,7 @@ class TrialPage final : public QWidget {
   void keyReleaseEvent(QKeyEvent* event) override;
 
  private:
-  void addWords();
+  void addWords(bool hasPicture);
   QString howTo() const;
   void moveHandTo(double share, int duration);
 

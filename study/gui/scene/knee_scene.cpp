@@ -18,7 +18,6 @@ constexpr double kClosed = 10.0;          // [travel units]
 constexpr double kSurelyCutTravel = 9.3;  // [travel units]
 constexpr double kReopenedTravel = 4.0;   // [travel units]
 constexpr double kPieceFloatTime = 0.7;   // [s]
-constexpr float kTipUp = 90.0F;           // the instrument's tip is up [°]
 constexpr float kShaftInView = 60.0F;     // [mm]
 constexpr float kScopeField = 62.0F;      // [°]
 constexpr float kKneeShadow = 3.2F;       // reach [mm]
@@ -27,8 +26,8 @@ constexpr float kAngleBetweenBites = 25.0F;           // [°]: the bites do not 
 constexpr float kTissueTurnSpeed = 60.0F;             // [°/s]
 constexpr double kRadian = 180.0 / std::numbers::pi;  // [°]
 
-/// Where the scope's view and the whole instrument lie in a picture of a given size [px]: the scope
-/// nearly as high as the picture, and the instrument, tip up, in the room beside it.
+/// Where the scope's view and the instrument's handle lie in a picture of a given size [px]: the
+/// scope nearly as high as the picture, and the handle in the room beside it.
 struct KneePlaces {
   QRectF scope;
   QRectF instrument;
@@ -83,7 +82,6 @@ Mesh rimMark(float fieldOfView, float distance) {
 
 KneeScene::KneeScene(const protocols::Anatomy* own) : meniscus_(layout_) {
   const KneeSurfaces around = kneeSurfaces(layout_, own);
-  Mesh glints = glintsOn(around, scopeView(), 0.5F * kScopeField);
   add(visiblePart(around.tibia, scopeView(), 0.5F * kScopeField));
   add(visiblePart(around.femur, scopeView(), 0.5F * kScopeField));
   add(visiblePart(around.capsule, scopeView(), 0.5F * kScopeField));
@@ -96,7 +94,6 @@ KneeScene::KneeScene(const protocols::Anatomy* own) : meniscus_(layout_) {
   add(std::move(shape.jaw));
   add(std::move(shape.rod));
   add(std::move(shape.lever));
-  add(std::move(glints));
   for (const auto part : {Body, Grip, Jaw, Rod, Lever}) scene_.parts[part].isTool = true;
   scene_.parts[Piece].isShown = false;
   // The shadow of the lower jaw and the shaft; update() adds that of the upper jaw.
@@ -107,7 +104,7 @@ KneeScene::KneeScene(const protocols::Anatomy* own) : meniscus_(layout_) {
       .reach = kKneeShadow,
       .depth = kKneeShadowDepth};
   setUpCamera();
-  scene_.shots.push_back(wholeInstrument(kTipUp));
+  scene_.shots.push_back(handleOfInstrument());
   scene_.shots.back().placeIn = instrumentIn;
   update({}, 0.0);
 }
@@ -126,21 +123,26 @@ void KneeScene::setUpCamera() {
   constexpr float kBeforeTheEye = 2.2F;  // [mm]
   add(rimMark(shot.fieldOfView, kBeforeTheEye), shot.view.inverted());
   // From front to back, so that little is drawn that is hidden later.
-  shot.parts = {RimMark, Jaw, Body, Rod, Piece, Tissue, Glints, Condyle, Plateau, Capsule};
+  shot.parts = {RimMark, Jaw, Body, Rod, Piece, Tissue, Condyle, Plateau, Capsule};
   scene_.shots.push_back(std::move(shot));
 }
 
-/// Fits the camera to the whole instrument at its largest width, with the handles apart.
-Shot KneeScene::wholeInstrument(float turned) const {
-  const QMatrix4x4 punch = punchPose(layout_);
-  const QMatrix4x4 toPunch = punch.inverted();
-  QMatrix4x4 upright;
-  upright.rotate(turned, 0.0F, 0.0F, 1.0F);
+Shot KneeScene::wholeInstrument() const {
+  return sideOf({Body, Grip, Jaw, Rod, Lever});
+}
+
+Shot KneeScene::handleOfInstrument() const {
+  return sideOf({Grip, Lever});
+}
+
+/// Fits the camera to parts of the instrument at their largest width, with the handles apart.
+Shot KneeScene::sideOf(const std::vector<std::size_t>& parts) const {
+  const QMatrix4x4 toPunch = punchPose(layout_).inverted();
   const std::array poses{QMatrix4x4(), QMatrix4x4(), jawPose(1.0F), rodPose(1.0F), leverPose(1.0F)};
   QRectF box;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    for (const auto& vertex : scene_.parts[Body + i].mesh.vertices) {
-      const QPointF place = upright.map(poses[i].map(vertex.position)).toPointF();
+  for (const auto part : parts) {
+    for (const auto& vertex : scene_.parts[part].mesh.vertices) {
+      const QPointF place = poses[part - Body].map(vertex.position).toPointF();
       box = box.united(QRectF(place - QPointF(0.1, 0.1), QSizeF(0.2, 0.2)));
     }
   }
@@ -151,14 +153,14 @@ Shot KneeScene::wholeInstrument(float turned) const {
   // From the side, with the instrument's tip to the left.
   shot.view.lookAt(
       middle - QVector3D(0.0F, 0.0F, static_cast<float>(kDistance)), middle, {0.0F, 1.0F, 0.0F});
-  shot.view *= upright * toPunch;
+  shot.view *= toPunch;
   const double smaller = std::min(box.width(), box.height());
   shot.fieldOfView =
       static_cast<float>(2.0 * kRadian * std::atan(0.5 * kMargin * smaller / kDistance));
   shot.nearest = 200.0F;
   shot.farthest = 500.0F;
   shot.light = {.place = {-120.0F, 260.0F, 120.0F}, .reach = 0.0F, .ambient = 0.28F};
-  shot.parts = {Body, Grip, Jaw, Rod, Lever};
+  shot.parts = parts;
   return shot;
 }
 

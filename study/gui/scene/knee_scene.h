@@ -10,7 +10,7 @@ struct Anatomy;
 namespace study::gui::scene {
 
 /// A knee as an arthroscope shows it, with a punch at the meniscus. A second view beside it shows
-/// the whole punch with its handles.
+/// the handles of the punch.
 class KneeScene final : public SimulatedScene {
  public:
   /// @param own  surfaces that replace the built-in ones; nullptr: none. Not used after
@@ -21,9 +21,9 @@ class KneeScene final : public SimulatedScene {
   const Scene& scene() const noexcept override { return scene_; }
   const Meniscus& meniscus() const noexcept { return meniscus_; }
 
-  /// A view of the whole instrument from its side with its tip to the left, turned by @p turned
-  /// [°].
-  Shot wholeInstrument(float turned = 0.0F) const;
+  /// The whole instrument from its side with its tip to the left, and its handle alone.
+  Shot wholeInstrument() const;
+  Shot handleOfInstrument() const;
 
  private:
   enum PartIndex : std::size_t {
@@ -37,12 +37,12 @@ class KneeScene final : public SimulatedScene {
     Jaw,
     Rod,
     Lever,
-    Glints,
     RimMark
   };
 
   void add(Mesh mesh, const QMatrix4x4& pose = {});
   void setUpCamera();
+  Shot sideOf(const std::vector<std::size_t>& parts) const;
   void updateCut(const TrialSnapshot& snapshot);
   void movePiece(double seconds);
 

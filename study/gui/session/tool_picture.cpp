@@ -23,11 +23,12 @@ constexpr QSize kUsual(560, 300);   // [px] at scale 1
 constexpr int kRendererDelay = 20;  // [ms]
 
 /// A view of the whole instrument without what it touches.
-scene::Scene instrumentIn(View view) {
+scene::Scene instrumentIn(View view, InstrumentIs instrument) {
   if (view != View::Hip) {
     const scene::KneeScene knee;
     auto alone = knee.scene();
-    alone.shots = {knee.wholeInstrument()};
+    alone.shots = {
+        instrument == InstrumentIs::Real ? knee.wholeInstrument() : knee.handleOfInstrument()};
     return alone;
   }
   const scene::HipScene hip(scene::HipScene::Options{});
@@ -88,8 +89,9 @@ QImage shadowOf(const QImage& instrument) {
 
 }  // namespace
 
-ToolPicture::ToolPicture(const haptics::devices::DeviceKind& device, QWidget* parent)
-    : QWidget(parent), view_(device.view) {
+ToolPicture::ToolPicture(
+    const haptics::devices::DeviceKind& device, InstrumentIs instrument, QWidget* parent)
+    : QWidget(parent), view_(device.view), instrument_(instrument) {
   setProperty("role", QStringLiteral("plain"));
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -108,6 +110,7 @@ void ToolPicture::resizeEvent(QResizeEvent* event) {
 /// The picture that was drawn last: the pages of a session show the same one.
 struct LastDrawn {
   View view = View::None;
+  InstrumentIs instrument = InstrumentIs::Real;
   QSize size;
   QColor ground;
   QImage picture;
@@ -122,15 +125,16 @@ void ToolPicture::draw() {
   if (!picture_.isNull() || width() < 1 || height() < 1) return;
   const auto ground = themeOf(*this).field.background;
   auto& last = lastDrawn();
-  if (last.view != view_ || last.size != devicePixelRatioF() * size() || last.ground != ground) {
-    last = {view_, (devicePixelRatioF() * size()), ground, drawn(ground)};
-  }
+  const auto size = devicePixelRatioF() * this->size();
+  const bool isSame = last.view == view_ && last.instrument == instrument_ && last.size == size &&
+                      last.ground == ground;
+  if (!isSame) last = {view_, instrument_, size, ground, drawn(ground)};
   picture_ = last.picture;
   update();
 }
 
 QImage ToolPicture::drawn(const QColor& ground) const {
-  auto alone = instrumentIn(view_);
+  auto alone = instrumentIn(view_, instrument_);
   alone.ground = {
       static_cast<std::uint8_t>(ground.red()),
       static_cast<std::uint8_t>(ground.green()),
@@ -171,14 +175,15 @@ void ToolPicture::paintEvent(QPaintEvent* /*event*/) {
   painter.drawImage(rect(), picture_);
 }
 
-QWidget* toolCardOf(const haptics::devices::DeviceKind& device, QWidget* parent) {
+QWidget* toolCardOf(
+    const haptics::devices::DeviceKind& device, InstrumentIs instrument, QWidget* parent) {
   if (device.view == View::None) return nullptr;
   auto* card = new QFrame(parent);
   card->setProperty("role", QStringLiteral("card"));
   auto* inside = new QVBoxLayout(card);
   const int side = scaled(*parent, 28);
   inside->setContentsMargins(side, side, side, side);
-  inside->addWidget(new ToolPicture(device, card));
+  inside->addWidget(new ToolPicture(device, instrument, card));
   return card;
 }
 

@@ -7,13 +7,19 @@
 
 namespace study::gui {
 
+/// A simulator has the handle of a punch, without its shaft and jaws.
+enum class InstrumentIs { Real, Simulated };
+
 /// A still picture of the instrument that a device represents, as it is held, with its shadow on a
 /// card. It shows neither tissue nor an alternative. It is drawn a moment after the page has
 /// appeared.
 class ToolPicture final : public QWidget {
  public:
   /// @param device  must have a view.
-  explicit ToolPicture(const haptics::devices::DeviceKind& device, QWidget* parent = nullptr);
+  ToolPicture(
+      const haptics::devices::DeviceKind& device,
+      InstrumentIs instrument,
+      QWidget* parent = nullptr);
 
   QSize sizeHint() const override;
 
@@ -26,10 +32,12 @@ class ToolPicture final : public QWidget {
   QImage drawn(const QColor& ground) const;
 
   haptics::devices::View view_;
+  InstrumentIs instrument_;
   QImage picture_;
 };
 
 /// A card with the picture of the instrument; nullptr if there is no picture of it.
-QWidget* toolCardOf(const haptics::devices::DeviceKind& device, QWidget* parent);
+QWidget* toolCardOf(
+    const haptics::devices::DeviceKind& device, InstrumentIs instrument, QWidget* parent);
 
 }  // namespace study::gui

@@ -37,7 +37,6 @@ QLabel[role="quiet"] { color: @quiet; }
 QLabel[role="anchor"] { font-size: 16px; }
 QLabel[role="key"] { font-size: 20px; font-weight: 600; }
 QLabel[role="code"] { font-size: 36px; font-weight: 600; }
-QLabel[role="step"] { color: @link; font-size: 20px; font-weight: 600; }
 QLabel[role="count"] { font-size: 28px; font-weight: 600; }
 QWidget[role="column"] { max-width: 640px; }
 QWidget[role="lines"] { max-width: 660px; }

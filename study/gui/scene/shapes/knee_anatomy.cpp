@@ -253,64 +253,6 @@ KneeSurfaces kneeSurfaces(const KneeLayout& layout, const protocols::Anatomy* ow
       .capsule = choose(protocols::kCapsule, kSynovium, [&] { return capsuleSurface(layout); })};
 }
 
-namespace {
-
-/// A pseudo-random number in [0, 1] for each @p number.
-float randomOf(std::uint32_t number) {
-  std::uint32_t mixed = (number ^ (number >> 16U)) * 0x45d9f3bU;
-  mixed = (mixed ^ (mixed >> 16U)) * 0x45d9f3bU;
-  return static_cast<float>((mixed ^ (mixed >> 16U)) & 0xffffU) / 65535.0F;
-}
-
-/// Adds an oval glint at @p at of @p length [mm], across the line of sight.
-void addGlint(Mesh& mesh, const Vertex& at, QVector3D toEye, float length, float slenderness) {
-  constexpr int kCorners = 10;
-  constexpr float kAbove = 0.03F;  // [mm]
-  const QVector3D across = QVector3D::crossProduct(toEye, at.normal).normalized();
-  const QVector3D along = QVector3D::crossProduct(at.normal, across).normalized();
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  const QVector3D middle = at.position + kAbove * at.normal;
-  mesh.vertices.push_back({middle + 2.0F * kAbove * toEye, toEye, at.tint});
-  for (const QVector3D& corner :
-       circle(middle, across, slenderness * along, 0.5F * length, kCorners))
-    mesh.vertices.push_back({corner, at.normal, at.tint});
-  for (std::uint32_t i = 0; i < kCorners; ++i)
-    mesh.triangles.push_back({first, first + 1 + i, first + 1 + (i + 1) % kCorners});
-}
-
-/// Adds @p count glints, most of them where @p surface is near and faces the eye.
-void addGlints(Mesh& mesh, const Mesh& surface, const QMatrix4x4& view, float field, int count) {
-  constexpr int kTries = 6000;
-  const float widest = std::tan(3.14159265F / 180.0F * field);
-  const QVector3D eye = view.inverted().map(QVector3D());
-  for (std::uint32_t i = 0; i < kTries && count > 0; ++i) {
-    const std::uint32_t number = 4 * i;
-    const auto chosen = static_cast<std::size_t>(
-        randomOf(number) * static_cast<float>(surface.vertices.size() - 1));
-    Vertex at = surface.vertices[chosen];
-    const QVector3D seen = view.map(at.position);
-    if (seen.toVector2D().length() > -widest * seen.z()) continue;
-    const QVector3D toEye = (eye - at.position).normalized();
-    const float facing = QVector3D::dotProduct(at.normal, toEye);
-    if (facing < 0.0F) at.normal = -at.normal;  // a sheet is seen from either side
-    constexpr float kGrazing = 0.2F;
-    const float chance = std::abs(facing) < kGrazing ? 0.0F : facing * facing;
-    if (chance <= randomOf(number + 1)) continue;
-    addGlint(
-        mesh, at, toEye, 0.2F + 0.7F * randomOf(number + 2), 0.25F + 0.3F * randomOf(number + 3));
-    --count;
-  }
-}
-
-}  // namespace
-
-Mesh glintsOn(const KneeSurfaces& surfaces, const QMatrix4x4& view, float field) {
-  Mesh mesh;
-  addGlints(mesh, surfaces.femur, view, field, 34);
-  addGlints(mesh, surfaces.tibia, view, field, 34);
-  return mesh;
-}
-
 std::string kneeAsObj(const KneeLayout& layout) {
   const QVector3D mouth = punchMouth(layout);
   const KneeSurfaces ours = kneeSurfaces(layout, nullptr);

@@ -56,11 +56,6 @@ struct KneeSurfaces {
 /// A surface without colours gets the built-in colour.
 KneeSurfaces kneeSurfaces(const KneeLayout& layout, const protocols::Anatomy* own);
 
-/// Small glints of the arthroscope's lamp on wet cartilage within a cone of half @p field [°]
-/// around the axis of @p view: patches just above them that mirror the lamp in their middles. For
-/// an eye and a lamp that do not move.
-Mesh glintsOn(const KneeSurfaces& surfaces, const QMatrix4x4& view, float field);
-
 /// The built-in knee as an OBJ file, in the frame and unit of protocols::Anatomy. Users fit their
 /// anatomies to it. It contains meniscus and punch for orientation.
 std::string kneeAsObj(const KneeLayout& layout);

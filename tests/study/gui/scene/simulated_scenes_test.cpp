@@ -121,7 +121,7 @@ TEST(KneeScene, FillsItsPanelWithTheScopeAndKeepsThePunchOutOfIt) {
     const QImage both = renderer.draw(knee.scene(), size).copy();
     const QRect place = handlesOf(knee, size);
     EXPECT_TRUE(both.rect().contains(place)) << size.width();
-    EXPECT_GT(place.height(), 0.4 * size.height()) << size.width();
+    EXPECT_GT(place.height(), 0.25 * size.height()) << size.width();
     int covered = 0;
     for (int y = place.top(); y <= place.bottom(); ++y) {
       for (int x = place.left(); x <= place.right(); ++x)
