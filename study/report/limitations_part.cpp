@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/joined.h"
+#include "base/search.h"
 #include "study/report/html_writer.h"
 #include "study/report/references.h"
 #include "study/report/study_parts.h"
@@ -67,8 +68,7 @@ constexpr std::array<std::string_view, 15> kFlagsBySeverity{
     "late_ticks",
     "saturated"};
 
-/// The flags that concern tests or distributions. They are left out for a study of one participant,
-/// who has neither.
+/// Flags that concern tests or distributions, which a study of one participant does not have.
 constexpr std::array<std::string_view, 6> kFlagsThatNeedSeveralPeople{
     "n_below_minimum_for_alpha",
     "pseudo_replication",
@@ -76,11 +76,6 @@ constexpr std::array<std::string_view, 6> kFlagsThatNeedSeveralPeople{
     "bimodal",
     "constant_group",
     "alpha_rounded"};
-
-template <std::size_t count>
-bool isIn(const std::array<std::string_view, count>& ids, std::string_view id) {
-  return std::ranges::find(ids, id) != ids.end();
-}
 
 /// A sentence that describes a limitation, and the ids of the cohorts to which it applies.
 struct LimitationFinding {
@@ -134,8 +129,7 @@ class LimitationsWriter : HtmlWriter {
     const bool hasFlags = !limitations().empty();
     const auto none =
         say("None of {} checks of the trials and of the compared answers found anything; "
-            "“Limitations” in "
-            "the appendix says what they look for.",
+            "“Limitations” in the appendix says what they look for.",
             std::ranges::count_if(kFlagsBySeverity, [&](auto id) { return isLookedFor(id); }));
     const auto singlePersonText = say("The checks of the compared answers need more participants.");
     const auto explained = say("All of it is explained in the appendix, under “Limitations”.");
@@ -211,13 +205,12 @@ class LimitationsWriter : HtmlWriter {
 
   Point operatorSawForces() const {
     return {
-        say("The operator saw the forces, by which conditions can be told apart, in {} of {} "
-            "sessions",
+        say("The operator saw the forces in {} of {} sessions",
             section_.sessionsWithForces,
             section_.results.completed()),
         {},
-        say("Who can tell conditions apart may treat participants differently without meaning "
-            "to.")};
+        say("Conditions differ in their forces: who sees them may guess which alternative is "
+            "which, and let the participant know without meaning to.")};
   }
 
   Point pointOf(const Limitation& limitation) const {
@@ -259,7 +252,7 @@ class LimitationsWriter : HtmlWriter {
             "as staff, may know which method is judged, and what they expect can show in "
             "answers.")};
     for (const auto& warning : section_.warnings) {
-      if (isIn(kDisclosures, warning.what.key())) addNew(point.list, warning);
+      if (base::contains(kDisclosures, warning.what.key())) addNew(point.list, warning);
     }
     return point;
   }
@@ -277,16 +270,6 @@ class LimitationsWriter : HtmlWriter {
     const auto only = say("One participant only");
     const auto each = say("One participant only in: {}", titlesOf(alone));
     return alone.empty() ? std::string() : section_.results.completed() == 1 ? only : each;
-  }
-
-  /// In how many sessions the operator saw the forces; empty if in none, or if nothing is hidden.
-  std::string forcesSeenInWords() const {
-    const auto seen =
-        say("The operator saw the forces in {} of {} sessions",
-            section_.sessionsWithForces,
-            section_.results.completed());
-    const bool isHidden = !section_.protocol.isOpenLabel;
-    return section_.sessionsWithForces > 0 && isHidden ? seen : std::string();
   }
 
   /// "Orthopaedic surgeons 1 of 6"; empty if all that were planned completed.
@@ -453,7 +436,7 @@ class LimitationsWriter : HtmlWriter {
   bool isLookedFor(std::string_view id) const {
     if (!isPossible(id)) return false;
     if (id == "late_ticks") return section_.quality.worstLateness.has_value();
-    return section_.results.completed() != 1 || !isIn(kFlagsThatNeedSeveralPeople, id);
+    return section_.results.completed() != 1 || !base::contains(kFlagsThatNeedSeveralPeople, id);
   }
 
   /// Writes which weaknesses were looked for and not found, and which could not be looked for.
@@ -482,7 +465,8 @@ class LimitationsWriter : HtmlWriter {
     std::vector<Limitation> all;
     for (const auto& family : section_.results.families) {
       for (const auto& raised : flagsByKind(family, isPooled(Profile::Declared, family.family))) {
-        if (section_.results.completed() == 1 && isIn(kFlagsThatNeedSeveralPeople, raised.flag->id))
+        if (section_.results.completed() == 1 &&
+            base::contains(kFlagsThatNeedSeveralPeople, raised.flag->id))
           continue;
         auto same = std::ranges::find_if(
             all, [&](const auto& other) { return other.flag->id == raised.flag->id; });
@@ -553,7 +537,9 @@ class LimitationsWriter : HtmlWriter {
     std::vector<std::string> all;
     for (const auto& warning : section_.warnings) {
       const auto key = warning.what.key();
-      if (isIn(kFileWarnings, key) || (hasDisclosures && isIn(kDisclosures, key))) continue;
+      if (base::contains(kFileWarnings, key) ||
+          (hasDisclosures && base::contains(kDisclosures, key)))
+        continue;
       if (!isFound(flagOf(warning))) addNew(all, warning);
     }
     return all;
