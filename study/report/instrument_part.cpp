@@ -73,8 +73,12 @@ class InstrumentWriter : HtmlWriter {
     });
   }
 
-  /// The scores without a row, because they would show a single answer of one person.
+  /// The scores without a row, because they would show a single answer of the only participant of
+  /// a cohort.
   void hiddenScores() {
+    const auto isAlone = [](const auto& flow) { return flow.completed == 1; };
+    const bool isOfOldScale = section_.history.versions > 1;  // which leaves scores out as well
+    if (std::ranges::none_of(section_.results.flow, isAlone) || isOfOldScale) return;
     std::vector<std::string> hidden;
     forEach([&](const auto& instrument, const auto& title, const auto& summary) {
       if (summary.forms == 0) return;

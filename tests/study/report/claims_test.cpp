@@ -234,6 +234,31 @@ TEST(Claims, SaysWhichScoreAndWhichRoundsAreCompared) {
   EXPECT_TRUE(has(headAsHtml(section), "” of 3 questions (")) << headAsHtml(section);
 }
 
+TEST(Claims, SayWhichScoresAreOfOtherStatementsAndWhichAreLeftOut) {
+  auto section = tests::madeUpSection();
+  const auto score = [](const char* id, const char* condition) {
+    return ScoreSummary{
+        .score = id, .cohort = "professional", .condition = condition, .values = {3.0, 4.0}};
+  };
+  auto& all = section.results.instruments;
+  all = {
+      {.instrument = "punch-face-validity",
+       .scores =
+           {score("face-validity-1", "interpolation"), score("face-validity-2", "finite-elements")},
+       .forms = 4}};
+  const std::string left = "could be worked out: Face validity, set 3</p>";
+  const std::string own = "asks different statements about each alternative";
+  EXPECT_FALSE(has(instrumentsAsHtml(section), "worked out")) << "of several people";
+  section.results.flow = {{.cohort = "professional", .enrolled = 1, .completed = 1}};
+  section.history.versions = 1;
+  EXPECT_TRUE(has(instrumentsAsHtml(section), left)) << instrumentsAsHtml(section);
+  EXPECT_TRUE(has(instrumentsAsHtml(section), own));
+  all.front().scores[1].score = "face-validity-1";
+  EXPECT_FALSE(has(instrumentsAsHtml(section), own));
+  all.front().forms = 0;
+  EXPECT_FALSE(has(instrumentsAsHtml(section), "worked out")) << "nobody was asked";
+}
+
 TEST(Claims, CountsALaboratorysOwnWordingAsUnpublished) {
   auto section = tests::madeUpSection();
   for (auto& one : section.instruments) one.source.citation = "An article.";
