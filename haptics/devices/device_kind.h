@@ -91,7 +91,6 @@ struct DeviceKind {
   struct Plot {
     double force;         ///< [N]
     double travel;        ///< [shown unit]
-    double velocity;      ///< from −velocity to velocity [shown unit/s]
     double torque = 0.0;  ///< from −torque to torque [N·m]; 0: no scene of the kind has a torque
   } plot;
 

@@ -40,7 +40,7 @@ const DeviceKind& reamerKind() {
            .velocityUnit = "mm/s",
            .energyUnit = "J",
            .axis = "depth [mm]"},
-      .plot = {.force = 40.0, .travel = 30.0, .velocity = 50.0, .torque = 1.0},
+      .plot = {.force = 40.0, .travel = 30.0, .torque = 1.0},
       .stroke = stroke(),
       .simulatedMaxForce = 140.0,  // of an LBR iiwa 14
       .simulatedMaxTorque = 10.0,  // the default of IiwaSettings

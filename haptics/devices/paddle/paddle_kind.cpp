@@ -22,7 +22,7 @@ const DeviceKind& paddleKind() {
            .velocityUnit = "°/s",
            .energyUnit = "N·°",
            .axis = "angle [°]"},
-      .plot = {.force = 6.0, .travel = 35.0, .velocity = 150.0},
+      .plot = {.force = 6.0, .travel = 35.0},
       .stroke =
           {.closedAbove = 18.0,
            .openBelow = 6.0,

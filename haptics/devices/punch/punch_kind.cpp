@@ -23,7 +23,7 @@ const DeviceKind& punchKind() {
            .velocityUnit = "/s",
            .energyUnit = "N·units",
            .axis = "travel [travel units]"},
-      .plot = {.force = 8.0, .travel = 12.0, .velocity = 50.0},
+      .plot = {.force = 8.0, .travel = 12.0},
       .stroke = {},
       .simulatedMaxForce = 8.0,
       // The encoder's resolution of 0.0439° is taken as 0.0439 travel units.
