@@ -64,7 +64,7 @@ class ScriptedDevice final : public devices::Device {
 /// Returns the relative deviation of its mean error from K v T / 2, which eq. (25) predicts.
 double forceErrorAgainstEquation(double rate) {
   constexpr double kSpeed = 57.0;
-  constexpr int kInside = 200;
+  constexpr int kTicksInside = 200;
   engine::CompiledScene held({.model = engine::publishedElements(5)});
   engine::CompiledScene moving({.model = engine::publishedElements(5)});
   const double period = 1.0 / rate;
@@ -73,13 +73,13 @@ double forceErrorAgainstEquation(double rate) {
   for (int i = 0; i < ticks; ++i) {
     const double from = 4.1 + kSpeed * period * i;
     const double force = held.respond({.travel = from}).force;
-    for (int k = 0; k < kInside; ++k) {
-      const double travel = from + kSpeed * period * (k + 0.5) / kInside;
+    for (int k = 0; k < kTicksInside; ++k) {
+      const double travel = from + kSpeed * period * (k + 0.5) / kTicksInside;
       sum += moving.respond({.travel = travel}).force - force;
     }
   }
   const engine::Passivity passivity{.stiffness = held.largestStiffness(), .period = period};
-  return std::abs(sum / (ticks * kInside) / passivity.forceErrorAt(kSpeed) - 1.0);
+  return std::abs(sum / (ticks * kTicksInside) / passivity.forceErrorAt(kSpeed) - 1.0);
 }
 
 /// Force of the space-domain filter at 6 travel units, after closing at 10 travel units/s [N].

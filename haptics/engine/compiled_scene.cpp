@@ -44,8 +44,8 @@ std::string describe(const KalmanSpec& spec) {
 
 /// Describes how fast a reamer advances through bone; empty for a reamer without a limit.
 std::string describeFeed(const Reamer& reamer) {
-  constexpr double kInMillimetres = 1000.0;
-  const double feed = kInMillimetres * reamer.mostFeed();
+  constexpr double kMillimetresPerMetre = 1000.0;
+  const double feed = kMillimetresPerMetre * reamer.mostFeed();
   if (std::isinf(feed)) return "";
   if (reamer.speed == 0.0) return "; the reamer stands still, and removes nothing";
   if (reamer.speed < 0.0) return "; the reamer turns backwards, and removes nothing";
@@ -57,7 +57,7 @@ std::string describeFeed(const Reamer& reamer) {
       feed,
       reamer.speed,
       reamer.teeth,
-      kInMillimetres * reamer.feedPerTooth);
+      kMillimetresPerMetre * reamer.feedPerTooth);
   return text;
 }
 

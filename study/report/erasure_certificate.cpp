@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kTitle = "Certificate of erasure";
 constexpr std::string_view kMark = "erasure: ";
 constexpr std::size_t kLeastWidth = 18;  // of the first column of a text
-constexpr std::string_view kForOthers =
+constexpr std::string_view kUseInOtherCopies =
     "For other copies of the study, on any computer: palpate study erase COPY --by THIS-FILE, with "
     "the text of this certificate.";
 
@@ -157,7 +157,8 @@ std::string asText(const ErasureCertificate& certificate, const words::Words& wo
   }
   // The program reads this line, so it is not translated.
   return text +
-         fmt::format("\n{}\n{}{}\n", words(kForOthers), kMark, asLine(certificate.report.listed));
+         fmt::format(
+             "\n{}\n{}{}\n", words(kUseInOtherCopies), kMark, asLine(certificate.report.listed));
 }
 
 std::string asHtml(const ErasureCertificate& certificate, const words::Words& words) {
@@ -168,7 +169,7 @@ std::string asHtml(const ErasureCertificate& certificate, const words::Words& wo
   // As in the text, on a line of its own: the program reads it in this file as well.
   html += fmt::format(
       "</tbody></table>\n<p class=\"note\">{}</p>\n<p class=\"note\">\n{}{}\n</p>\n",
-      words(kForOthers),
+      words(kUseInOtherCopies),
       kMark,
       escaped(asLine(certificate.report.listed)));
   return htmlPage(words(kTitle), html, words.language());

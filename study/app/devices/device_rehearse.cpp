@@ -161,11 +161,11 @@ std::vector<SimulatedSessionResult> runParticipants(
 /// Whether all that was found about a trial is what a busy computer causes, which is no fault of
 /// the devices. Lateness adds to the damping that passivity requires.
 bool isOfBusyComputer(const storage::StoredTrial& trial) {
-  constexpr std::array<std::string_view, 5> kOfLateness{
+  constexpr std::array<std::string_view, 5> kReasonsOfLateness{
       "trial.device_silent", "trial.rate", "trial.late", "trial.lost_beats", "trial.damping"};
   return std::ranges::all_of(trial.reasons, [&](const base::Message& reason) {
     return std::ranges::any_of(
-        kOfLateness, [&](std::string_view key) { return reason.key().starts_with(key); });
+        kReasonsOfLateness, [&](std::string_view key) { return reason.key().starts_with(key); });
   });
 }
 

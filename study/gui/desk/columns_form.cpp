@@ -33,8 +33,8 @@ QWidget* beside(std::initializer_list<QWidget*> parts, QWidget* parent) {
   auto* row = new QWidget(parent);
   row->setProperty("role", QStringLiteral("plain"));
   auto* line = withoutMargins<QHBoxLayout>(row);
-  constexpr int kOfColumn = 2;  // of three parts of the width
-  for (auto* part : parts) line->addWidget(part, part == *parts.begin() ? kOfColumn : 1);
+  constexpr int kColumnStretch = 2;  // of three parts of the width
+  for (auto* part : parts) line->addWidget(part, part == *parts.begin() ? kColumnStretch : 1);
   return row;
 }
 
@@ -86,7 +86,7 @@ ColumnsForm::ColumnsForm(QWidget* parent)
   for (const auto& unit : kTimeUnits) timeUnit_->addItem(QString::fromUtf8(unit.name));
   for (const auto* unit : kForceUnits) forceUnit_->addItem(QString::fromUtf8(unit));
   constexpr int kLeastWidth = 110;  // [px]; the largest number is far wider
-  constexpr int kOfWords = 150;
+  constexpr int kLeastTextWidth = 150;
   auto* cells = new FieldRow(this);
   for (auto* cell : {openTravel_, closedTravel_, zeroForce_}) {
     cell->setRange(-kLargestCell, kLargestCell);
@@ -100,7 +100,7 @@ ColumnsForm::ColumnsForm(QWidget* parent)
   rate_->setObjectName(QStringLiteral("rate"));
   rate_->setRange(0.0, kLargestRate);
   rate_->setSuffix(QStringLiteral(" Hz"));
-  rate_->setMinimumWidth(kOfWords);
+  rate_->setMinimumWidth(kLeastTextWidth);
   rate_->setSpecialValueText(tr("rows per second?"));
   unitOrRate_->addWidget(timeUnit_);
   unitOrRate_->addWidget(rate_);

@@ -221,8 +221,8 @@ void showHelp(const QString& topic, const QWidget* beside) {
     window->setAttribute(Qt::WA_QuitOnClose, false);
     // Places the help over the window that asked, so that it never covers the participant's window
     // on another screen.
-    constexpr QPoint kAside(60, 40);
-    if (beside != nullptr) window->move(beside->window()->frameGeometry().topLeft() + kAside);
+    constexpr QPoint kOffset(60, 40);
+    if (beside != nullptr) window->move(beside->window()->frameGeometry().topLeft() + kOffset);
     helpWindow() = window;
   }
   openHelp()->showTopic(topic);

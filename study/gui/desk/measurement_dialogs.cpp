@@ -108,9 +108,9 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   form().addRow(cutPlot_->summary());
   auto* pictures = new QBoxLayout(QBoxLayout::LeftToRight);
   constexpr int kRecordingStretch = 6;  // it has two curves
-  constexpr int kOfCut = 5;
+  constexpr int kCutStretch = 5;
   pictures->addWidget(recordingPlot_, kRecordingStretch);
-  pictures->addWidget(cutPlot_, kOfCut);
+  pictures->addWidget(cutPlot_, kCutStretch);
   addBeside(pictures);
   const auto readAgain = [this] {
     columnsForm_->setVisible(false);

@@ -26,9 +26,9 @@ constexpr double kMilli = 1e-3;
 /// Two plots and the buttons fit on a laptop's screen; a larger one has room for larger plots.
 int heightOfPlotOn(const QScreen& screen) {
   constexpr int kLarge = 1000;  // [px]
-  constexpr int kOnALaptop = 190;
-  constexpr int kOnALargeScreen = 280;
-  return screen.availableSize().height() >= kLarge ? kOnALargeScreen : kOnALaptop;
+  constexpr int kHeightOnLaptop = 190;
+  constexpr int kHeightOnLargeScreen = 280;
+  return screen.availableSize().height() >= kLarge ? kHeightOnLargeScreen : kHeightOnLaptop;
 }
 
 /// Gives the axes of all plots the same left and right ends, and few enough numbers to be read.
@@ -177,11 +177,11 @@ void RecordingPlot::drawCurves(const RecordingPreview& preview) {
     force->addData(timeOf(preview, i + 1), preview.trace.force[i]);
     travel->addData(timeOf(preview, i + 1), preview.trace.travel[i]);
   }
-  constexpr double kAbove = 1.25;  // room for the numbers of the cuts above the curve
+  constexpr double kHeadroom = 1.25;  // room for the numbers of the cuts above the curve
   for (auto* graph : {force, travel}) {
     graph->rescaleAxes();
     auto* axis = graph->valueAxis();
-    axis->setRangeUpper(axis->range().lower + kAbove * axis->range().size());
+    axis->setRangeUpper(axis->range().lower + kHeadroom * axis->range().size());
   }
 }
 
@@ -249,9 +249,9 @@ void fill(QTableWidget& table, const CutLandmarks& landmarks) {
       table.item(row, column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
   }
-  constexpr int kAround = 10;  // [px] of the words
+  constexpr int kTextMargin = 10;  // [px] of the words
   for (int row = 0; row < table.rowCount(); ++row) {
-    table.setRowHeight(row, table.fontMetrics().height() + kAround);
+    table.setRowHeight(row, table.fontMetrics().height() + kTextMargin);
   }
   table.setFixedHeight(
       table.horizontalHeader()->sizeHint().height() + table.verticalHeader()->length() +

@@ -274,7 +274,7 @@ void ReportDialog::addFigures() {
   constexpr int kOneColumn = 85;
   constexpr double kSmallest = 5.0;  // of fonts [pt]
   constexpr double kLargest = 14.0;
-  constexpr double kOfJournals = 8.0;
+  constexpr double kUsualInJournals = 8.0;
   figures_->setObjectName(QStringLiteral("figures"));
   width_->setObjectName(QStringLiteral("figure-width"));
   width_->setRange(kLeastWidth, kMostWidth);
@@ -282,7 +282,7 @@ void ReportDialog::addFigures() {
   font_->setRange(kSmallest, kLargest);
   font_->setSingleStep(0.5);
   font_->setDecimals(1);
-  font_->setValue(kOfJournals);
+  font_->setValue(kUsualInJournals);
   form().addRow(tr("For a journal"), figures_);
   form().addRow(tr("Width of figures [mm]"), width_);
   form().addRow(tr("Font size in figures [pt]"), font_);

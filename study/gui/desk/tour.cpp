@@ -182,8 +182,8 @@ QWidget* Tour::makeTrialDemonstration() {
   }
   // Long words of some languages wrap in a narrow window; a layout in a scroll area does not count
   // the lines.
-  constexpr int kLeastOfPage = 520;  // [px]
-  trialPage_->setMinimumHeight(kLeastOfPage);
+  constexpr int kLeastPageHeight = 520;  // [px]
+  trialPage_->setMinimumHeight(kLeastPageHeight);
   auto* drawings = new QVBoxLayout;
   drawings->addWidget(sectionLabel(tr("Force and travel of your hand"), step));
   drawings->addWidget(plot_, 1);
@@ -364,8 +364,8 @@ void Tour::showRecord() {
     const auto name = record_->item(row, 0)->text();
     widest = std::max(widest, record_->fontMetrics().horizontalAdvance(name));
   }
-  constexpr int kAround = 40;  // [px] of the words in a cell
-  record_->setColumnWidth(0, widest + kAround);
+  constexpr int kCellPadding = 40;  // [px] of the words in a cell
+  record_->setColumnWidth(0, widest + kCellPadding);
   fitRecord();
 }
 

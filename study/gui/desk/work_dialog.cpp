@@ -90,10 +90,10 @@ void WorkDialog::addBeside(QBoxLayout* pictures) {
   auto* left = new QVBoxLayout;
   left->addLayout(form_);
   left->addStretch(1);
-  constexpr int kOfForm = 3;  // of seven parts of the width
-  constexpr int kOfPictures = 4;
-  body_->addLayout(left, kOfForm);
-  body_->addLayout(pictures, kOfPictures);
+  constexpr int kFormStretch = 3;  // of seven parts of the width
+  constexpr int kPicturesStretch = 4;
+  body_->addLayout(left, kFormStretch);
+  body_->addLayout(pictures, kPicturesStretch);
   pictures_ = pictures;
   page->insertLayout(place, body_, 1);
 }

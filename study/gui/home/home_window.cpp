@@ -97,12 +97,12 @@ void HomeWindow::makeContents() {
 }
 
 void HomeWindow::arrange() {
-  constexpr int kRoomForTwo = 1000;  // [px]
-  constexpr int kMostRoom = 1560;    // more would part what belongs together
-  constexpr int kAside = 24;
-  const bool isWide = width() >= kRoomForTwo;
+  constexpr int kLeastWidthOfTwoColumns = 1000;  // [px]
+  constexpr int kMostRoom = 1560;                // more would part what belongs together
+  constexpr int kLeastMargin = 24;
+  const bool isWide = width() >= kLeastWidthOfTwoColumns;
   columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-  const int aside = std::max(kAside, (width() - kMostRoom) / 2);
+  const int aside = std::max(kLeastMargin, (width() - kMostRoom) / 2);
   columns_->setContentsMargins(aside, 12, aside, 20);
   const auto margins = columns_->contentsMargins();
   const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);

@@ -48,13 +48,14 @@ class PairedHeads final : public QHeaderView {
     painter->restore();
     const int pair = column / 2;
     if (pair >= titles_.size() || column % 2 == 0) return;
-    constexpr QMargins kAround(8, 4, 0, 4);  // [px], as of the theme's heads
+    constexpr QMargins kCellPadding(8, 4, 0, 4);  // [px], as of the theme's heads
     const QRect both = place.adjusted(-sectionSize(column - 1), 0, 0, 0);
     auto bold = font();
     bold.setBold(true);
     painter->setFont(bold);
     painter->setPen(themeOf(*this).header.text);
-    painter->drawText(both.marginsRemoved(kAround), Qt::AlignLeft | Qt::AlignTop, titles_[pair]);
+    painter->drawText(
+        both.marginsRemoved(kCellPadding), Qt::AlignLeft | Qt::AlignTop, titles_[pair]);
   }
 
  private:
@@ -110,12 +111,12 @@ void CutTable::writeHeads(bool isCut) {
     horizontalHeaderItem(column)->setData(Qt::AccessibleTextRole, words);
     horizontalHeaderItem(column)->setToolTip(words);
   }
-  constexpr int kAround = 17;       // [px] of a cell
+  constexpr int kCellPadding = 17;  // [px] of a cell
   constexpr int kAroundTitle = 11;  // [px]
   auto bold = horizontalHeader()->font();
   bold.setBold(true);
   for (int column = 0; column < kColumns; ++column) {  // the last takes the rest, too
-    const int cell = fontMetrics().horizontalAdvance(QStringLiteral("99.9")) + kAround;
+    const int cell = fontMetrics().horizontalAdvance(QStringLiteral("99.9")) + kCellPadding;
     setColumnWidth(column, std::max(cell, horizontalHeader()->sectionSizeHint(column)));
   }
   for (std::size_t i = 0; isCut && i < kLandmarks.size(); ++i) {

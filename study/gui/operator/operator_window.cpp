@@ -160,14 +160,14 @@ void OperatorWindow::resizeEvent(QResizeEvent* event) {
 void OperatorWindow::arrange() {
   // In a narrow window the header's lines wrap, which the minimum height of the contents does not
   // include.
-  constexpr int kAround = 60;  // [px]: margins and scroll bar
-  head_->setMinimumHeight(head_->layout()->totalHeightForWidth(width() - kAround));
-  constexpr int kRoomForTwo = 900;  // [px]
+  constexpr int kMarginsAndScrollBar = 60;  // [px]: margins and scroll bar
+  head_->setMinimumHeight(head_->layout()->totalHeightForWidth(width() - kMarginsAndScrollBar));
+  constexpr int kLeastWidthOfTwoColumns = 900;  // [px]
   constexpr int kLeastControls = 345;
   constexpr int kMostControls = 470;
   const int controls = std::clamp(width() * 33 / 100, kLeastControls, kMostControls);
   constexpr int kHeightOfEach = 420;  // above one another
-  const bool isWide = width() >= kRoomForTwo;
+  const bool isWide = width() >= kLeastWidthOfTwoColumns;
   columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   controls_->setMinimumWidth(isWide ? controls : 0);
   controls_->setMaximumWidth(isWide ? controls : QWIDGETSIZE_MAX);

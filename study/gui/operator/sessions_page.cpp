@@ -120,12 +120,12 @@ QWidget* SessionsPage::makeList() {
     connect(button, &QPushButton::clicked, this, [=, this] { endSelected(topic, end); });
   };
   add(tr("Participant withdraws…"),
-      tr("Ends it because the participant wants to."),
+      tr("Ends it because the participant wants to; answers are kept as withdrawn."),
       SessionEvent::Withdrew,
       MessageTopic::Withdrawal,
       &Session::withdraw);
   add(tr("Reject session…"),
-      tr("Ends it for a reason that you give."),
+      tr("Ends it for a reason that you give; answers are kept and do not count."),
       SessionEvent::WasRejected,
       MessageTopic::Rejection,
       &Session::reject);
@@ -193,11 +193,11 @@ QWidget* SessionsPage::makeEnrolment() {
 /// Puts the list beside the enrolment, or above it in a narrow window.
 void SessionsPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  constexpr int kRoomForTwo = 860;    // [px]
-  constexpr int kLeastOfTable = 120;  // above the enrolment
-  const bool isWide = width() >= kRoomForTwo;
+  constexpr int kLeastWidthOfTwoColumns = 860;  // [px]
+  constexpr int kLeastTableHeight = 120;        // above the enrolment
+  const bool isWide = width() >= kLeastWidthOfTwoColumns;
   columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-  table_->setMinimumHeight(isWide ? 0 : kLeastOfTable);
+  table_->setMinimumHeight(isWide ? 0 : kLeastTableHeight);
   setMinimumHeights();
   fitColumns();
 }

@@ -74,8 +74,8 @@ int TimelineTable::widthOfStatus() const {
   for (const auto& words : {tr("broken off"), tr("✖ broke off"), tr("‖ paused"), tr("● running")}) {
     widest = std::max(widest, QFontMetrics(bold).horizontalAdvance(words));
   }
-  constexpr int kAround = 16;  // [px]
-  return widest + kAround;
+  constexpr int kCellPadding = 16;  // [px]
+  return widest + kCellPadding;
 }
 
 void TimelineTable::show(const SessionController* controller) {

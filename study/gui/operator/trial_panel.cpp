@@ -65,8 +65,8 @@ TrialPanel::TrialPanel(QWidget* parent)
 
 /// Puts the two plots beside each other, or in a narrow panel above one another.
 void TrialPanel::resizeEvent(QResizeEvent* event) {
-  constexpr int kRoomForTwo = 700;  // [px]
-  const bool isWide = width() >= kRoomForTwo;
+  constexpr int kLeastWidthOfTwoPlots = 700;  // [px]
+  const bool isWide = width() >= kLeastWidthOfTwoPlots;
   plots_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   QWidget::resizeEvent(event);
 }

@@ -15,9 +15,9 @@ struct WindowGeometries {
 /// @param screen  without the desktop's bars
 /// @return std::nullopt if it has no room for two windows.
 inline std::optional<WindowGeometries> windowGeometriesOn(const QRect& screen) {
-  constexpr int kRoomForTwo = 1800;  // [px]
+  constexpr int kLeastWidthOfTwoWindows = 1800;  // [px]
   constexpr int kOperatorPercent = 56;
-  if (screen.width() < kRoomForTwo) return std::nullopt;
+  if (screen.width() < kLeastWidthOfTwoWindows) return std::nullopt;
   const int own = screen.width() * kOperatorPercent / 100;
   return WindowGeometries{
       .own = {screen.left(), screen.top(), own, screen.height()},
@@ -29,9 +29,9 @@ inline std::optional<WindowGeometries> windowGeometriesOn(const QRect& screen) {
 /// @param screen  without the desktop's bars
 /// @return std::nullopt if it has no room for that either.
 inline std::optional<QRect> placeBesideStop(const QRect& screen) {
-  constexpr int kButtons = 500;       // [px] at the left of the operator's window
-  constexpr int kLeastOfPages = 683;  // [px]
-  if (screen.width() < kButtons + kLeastOfPages) return std::nullopt;
+  constexpr int kButtons = 500;         // [px] at the left of the operator's window
+  constexpr int kLeastPageWidth = 683;  // [px]
+  if (screen.width() < kButtons + kLeastPageWidth) return std::nullopt;
   return screen.adjusted(kButtons, 0, 0, 0);
 }
 

@@ -67,9 +67,9 @@ void ItemWidget::resizeEvent(QResizeEvent* event) {
   statement_->setAlignment(isBeside ? Qt::AlignTop : Qt::AlignVCenter);
   statement_->setContentsMargins(0, isBeside ? above : 0, 0, 0);
   constexpr int kStatementShare = 9;  // shares of the width
-  constexpr int kOfField = 10;
+  constexpr int kFieldShare = 10;
   parts_->setStretchFactor(statement_, isBeside ? kStatementShare : 0);
-  parts_->setStretchFactor(field_, isBeside ? kOfField : 0);
+  parts_->setStretchFactor(field_, isBeside ? kFieldShare : 0);
 }
 
 void ItemWidget::addRemark(const QString& remark) {

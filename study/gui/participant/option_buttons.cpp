@@ -44,11 +44,12 @@ class RingButton final : public QPushButton {
 
  private:
   void paintRing(bool isAtSide) {
-    constexpr int kAtSide = 22;  // [px] at scale 1, from the edge to the centre
+    constexpr int kEdgeToCentre = 22;  // [px] at scale 1, from the edge to the centre
     constexpr int kRingRadius = 9;
     const int r = scaled(*this, kRingRadius);
     const bool isMirrored = layoutDirection() == Qt::RightToLeft;
-    const int side = isMirrored ? width() - scaled(*this, kAtSide) : scaled(*this, kAtSide);
+    const int side =
+        isMirrored ? width() - scaled(*this, kEdgeToCentre) : scaled(*this, kEdgeToCentre);
     const QPointF centre(isAtSide ? side : 0.5 * width(), 0.5 * height());
     const auto& theme = themeOf(*this);
     QPainter painter(this);

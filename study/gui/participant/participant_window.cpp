@@ -71,10 +71,10 @@ ParticipantWindow::ParticipantWindow(
   stepLabel_->setWordWrap(false);
   auto* end = new QHBoxLayout;
   for (auto* row : {top, end}) row->setSpacing(18);
-  constexpr int kOfProgress = 11;  // shares of the width, so that the bar ends at one place
-  constexpr int kOfEnd = 9;
-  top->addWidget(progress_, kOfProgress);
-  top->addLayout(end, kOfEnd);
+  constexpr int kProgressShare = 11;  // shares of the width, so that the bar ends at one place
+  constexpr int kEndShare = 9;
+  top->addWidget(progress_, kProgressShare);
+  top->addLayout(end, kEndShare);
   end->addStretch(1);
   end->addWidget(stepLabel_);
   languages_->setProperty("role", QStringLiteral("language"));

@@ -7,7 +7,8 @@
 namespace study::gui {
 namespace {
 
-constexpr int kRoomForTwo = 1160;  // [px] at scale 1: two columns of about 60 characters
+constexpr int kLeastWidthOfTwoColumns =
+    1160;                          // [px] at scale 1: two columns of about 60 characters
 constexpr int kBetweenParts = 40;  // [px] at scale 1, between the columns
 constexpr int kBelowPart = 16;
 
@@ -45,7 +46,7 @@ QSize SideBySide::minimumSizeHint() const {
 
 void SideBySide::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  const bool isWide = width() >= scaled(*this, kRoomForTwo);
+  const bool isWide = width() >= scaled(*this, kLeastWidthOfTwoColumns);
   if (isWide == isSideBySide()) return;
   parts_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   parts_->setSpacing(scaled(*this, isWide ? kBetweenParts : kBelowPart));

@@ -100,8 +100,8 @@ void Stage::setCaption(const QString& caption) {
   auto* words = bodyLabel(caption, panel_);
   words->setProperty("role", QStringLiteral("key"));
   words->setAlignment(Qt::AlignHCenter);
-  constexpr int kOfPicture = 3;  // shares of the height
-  card->setStretch(0, kOfPicture);
+  constexpr int kPictureShare = 3;  // shares of the height
+  card->setStretch(0, kPictureShare);
   card->insertStretch(0, 1);
   card->addWidget(words);
   card->addStretch(1);

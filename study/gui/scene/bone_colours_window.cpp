@@ -10,8 +10,8 @@
 namespace study::gui::scene {
 namespace {
 
-constexpr int kUpdateInterval = 67;  // [ms]
-constexpr double kOutside = -0.02;   // depth of the reamer without a trial [m]
+constexpr int kUpdateInterval = 67;      // [ms]
+constexpr double kDepthOutside = -0.02;  // depth of the reamer without a trial [m]
 
 }  // namespace
 
@@ -101,7 +101,7 @@ void BoneColoursWindow::choose(int index) {
 /// Draws the bone at the depth of the participant's view. The view is deleted with its page; then
 /// this window closes.
 void BoneColoursWindow::updatePicture() {
-  if (!trial_) return painter_->submit(kOutside, false);
+  if (!trial_) return painter_->submit(kDepthOutside, false);
   const FollowedTrial now = trial_();
   if (now.participantView == nullptr || now.participantView != followed_) {
     followed_ = nullptr;

@@ -7,7 +7,7 @@ namespace study::gui::scene {
 
 namespace {
 
-constexpr float kBehind = -0.25F;
+constexpr float kLeastFacing = -0.25F;
 constexpr float kLeastMetalGloss = 0.85F;  // gloss from which a surface is metal
 constexpr float kMetalSteepness = 10.0F;
 
@@ -29,7 +29,7 @@ float powerOf16(float x) {
 Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, float gloss) {
   const QVector3D toEye = -place.normalized();
   // A sheet may be seen from behind. A round body's surface only turns away slightly at its edge.
-  if (QVector3D::dotProduct(normal, toEye) < kBehind) normal = -normal;
+  if (QVector3D::dotProduct(normal, toEye) < kLeastFacing) normal = -normal;
   const bool isNear = light.reach > 0.0F;
   const QVector3D way = isNear ? light.place - place : light.place;
   const float distance = way.length();

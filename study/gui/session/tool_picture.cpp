@@ -64,8 +64,8 @@ QImage blurred(const QImage& picture) {
           sum += line[u];
         }
       }
-      constexpr int kAround = (2 * kReach + 1) * (2 * kReach + 1);
-      soft.scanLine(y)[x] = static_cast<uchar>(sum / kAround);
+      constexpr int kNeighbours = (2 * kReach + 1) * (2 * kReach + 1);
+      soft.scanLine(y)[x] = static_cast<uchar>(sum / kNeighbours);
     }
   }
   return soft;
@@ -162,8 +162,8 @@ QImage ToolPicture::drawn(const QColor& ground) const {
   QImage picture(instrument.size(), QImage::Format_ARGB32_Premultiplied);
   picture.fill(Qt::transparent);
   QPainter painter(&picture);
-  constexpr double kBelow = 0.015;  // of the height: how far the shadow falls
-  painter.drawImage(QPointF(0.0, kBelow * instrument.height()), shadowOf(instrument));
+  constexpr double kShadowOffset = 0.015;  // of the height: how far the shadow falls
+  painter.drawImage(QPointF(0.0, kShadowOffset * instrument.height()), shadowOf(instrument));
   painter.drawImage(0, 0, instrument);
   return picture;
 }

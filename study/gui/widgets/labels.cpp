@@ -89,9 +89,9 @@ class MarkedText final : public QLabel {
               .arg(below)
               .arg(line));
     };
-    constexpr int kOfText = 118;  // line height [%], so that the eye finds the next line
-    styled("p", 0, hasSeveralParagraphs ? gap : 0, kOfText);
-    styled("li", 0, gap / 2, kOfText);
+    constexpr int kLineHeight = 118;  // line height [%], so that the eye finds the next line
+    styled("p", 0, hasSeveralParagraphs ? gap : 0, kLineHeight);
+    styled("li", 0, gap / 2, kLineHeight);
     for (const auto* heading : {"h2", "h3"}) {
       styled(heading, scaled(*this, kAboveHeading), gap / 2, 100);
     }

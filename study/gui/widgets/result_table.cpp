@@ -124,7 +124,7 @@ void ResultTable::addRow(const std::vector<QString>& cells, const DataTable& tab
 }
 
 void ResultTable::fitColumns() {
-  constexpr int kAround = 16;  // [px] of a cell
+  constexpr int kCellPadding = 16;  // [px] of a cell
   constexpr int kWidest = 190;
   int left = viewport()->width();
   std::vector<int> wideColumns;
@@ -132,7 +132,7 @@ void ResultTable::fitColumns() {
   for (int column = 0; column < columnCount(); ++column) {
     if (isColumnHidden(column)) continue;
     columns.push_back(column);
-    const int cells = sizeHintForColumn(column) + kAround;
+    const int cells = sizeHintForColumn(column) + kCellPadding;
     if (cells > kWidest) wideColumns.push_back(column);
     const int heading = horizontalHeader()->sectionSizeHint(column);
     setColumnWidth(column, std::max(heading, std::min(kWidest, cells)));

@@ -72,9 +72,9 @@ TEST(UnimodalBound, DoesNotDependOnTheLowestPoint) {
 // Table 2 of the punch paper prints variances of 2.6 and 2.4 for means of 2.6 and 3.2 of 36 answers
 // (± 0.05): no distribution with one peak has more than 2.31 and 2.25.
 TEST(UnimodalBound, IsExceededByThePublishedTable) {
-  constexpr double kOfSample = 36.0 / 35.0;
-  EXPECT_NEAR(kOfSample * largestUnimodalVariance(1, 5, 2.55), 2.31, 0.005);
-  EXPECT_NEAR(kOfSample * largestUnimodalVariance(1, 5, 3.25), 2.25, 0.005);
+  constexpr double kSampleFactor = 36.0 / 35.0;
+  EXPECT_NEAR(kSampleFactor * largestUnimodalVariance(1, 5, 2.55), 2.31, 0.005);
+  EXPECT_NEAR(kSampleFactor * largestUnimodalVariance(1, 5, 3.25), 2.25, 0.005);
 }
 
 TEST(UnimodalBound, IsExceededIfAllAnswersAreAtTheEnds) {

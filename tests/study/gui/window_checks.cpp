@@ -245,7 +245,7 @@ bool hasRoomForItsWords(const QWidget& widget) {
 
 /// The cells of a table in sight whose words are cut off.
 QStringList cutOffCells(const QTableView& table) {
-  constexpr int kAround = 12;  // [px] of a cell, left and right of its words
+  constexpr int kCellPadding = 12;  // [px] of a cell, left and right of its words
   constexpr int kRounding = 3;
   QStringList found;
   const auto* model = table.model();
@@ -257,7 +257,7 @@ QStringList cutOffCells(const QTableView& table) {
       if (place.isEmpty() || words.isEmpty() || table.isColumnHidden(column)) continue;
       const auto own = index.data(Qt::FontRole);
       const QFontMetrics metrics(own.isValid() ? own.value<QFont>() : table.font());
-      const int room = place.width() - kAround + kRounding;
+      const int room = place.width() - kCellPadding + kRounding;
       const auto needed = metrics.boundingRect(
           QRect(0, 0, table.wordWrap() ? room : QWIDGETSIZE_MAX, QWIDGETSIZE_MAX),
           table.wordWrap() ? Qt::TextWordWrap : 0,

@@ -27,10 +27,10 @@ float plateauHeight(float x, float z) {
 }
 
 QVector3D punchMouth(const KneeLayout& layout) {
-  constexpr float kBiteIn = 1.9F;  // from the free edge [mm]
-  constexpr float kAbove = 1.25F;  // of the lower jaw above the plateau [mm]
+  constexpr float kBiteIn = 1.9F;        // from the free edge [mm]
+  constexpr float kHeightAbove = 1.25F;  // of the lower jaw above the plateau [mm]
   QVector3D mouth = pointOnArc(layout, layout.toolAngle, layout.innerRadius + kBiteIn);
-  mouth.setY(plateauHeight(mouth.x(), mouth.z()) + kAbove);
+  mouth.setY(plateauHeight(mouth.x(), mouth.z()) + kHeightAbove);
   return mouth;
 }
 
@@ -86,13 +86,13 @@ Tint cartilageAt(QVector3D place) {
 /// The visibility of blood vessels at @p angle [°] to the side and @p height [mm] above the tissue.
 /// A few thin vessels wind upwards.
 float vesselAt(float angle, float height) {
-  constexpr float kApart = 23.0F;  // [°]
+  constexpr float kAngleBetween = 23.0F;  // [°]
   float most = 0.0F;
   for (int i = -3; i <= 3; ++i) {
     const auto number = static_cast<float>(i);
     const float wind = 5.0F * noiseAt({0.35F * height, number, 0.0F}) +
                        1.6F * noiseAt({1.1F * height, number, 9.0F});
-    const float stem = kApart * number + 7.0F * noiseAt({number, 3.0F, 0.5F}) + wind;
+    const float stem = kAngleBetween * number + 7.0F * noiseAt({number, 3.0F, 0.5F}) + wind;
     const float branch = stem + 1.4F * std::max(0.0F, height - 5.0F);
     for (const float course : {stem, branch}) {
       const float aside = (angle - course) / 0.8F;

@@ -17,8 +17,8 @@ constexpr float kBiteDepth = 3.6F;              // across it [mm]
 constexpr std::size_t kMostBites = 12;
 constexpr int kSections = 120;
 constexpr int kPieceSections = 30;
-constexpr int kAcross = 12;  // points across a surface
-constexpr int kUpright = 2;  // points up a face
+constexpr int kPointsAcross = 12;  // points across a surface
+constexpr int kUpright = 2;        // points up a face
 constexpr float kThinnest = 0.22F;
 
 constexpr Tint kEdge{250, 248, 240, 200};
@@ -50,7 +50,7 @@ float restHeight(float share) {
 /// The place of point @p i across a surface, from 0 (edge) to 1 (rim): closer together at the rim,
 /// which is rounded.
 float placeAcross(std::size_t i) {
-  const float t = static_cast<float>(i) / kAcross;
+  const float t = static_cast<float>(i) / kPointsAcross;
   return t * (1.5F - 0.5F * t);
 }
 
@@ -158,9 +158,9 @@ void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const TissueLoa
   const float own = angle + moved_;
   const float fullness = 1.0F + 0.07F * noiseAt({0.07F * own, 0.0F, 11.0F});
   const float bloodless = 0.42F - 0.12F * noiseAt({0.16F * own, 0.0F, 7.0F});  // share of the way
-  std::array<Column, kAcross + 1> columns;
-  std::array<Tint, kAcross + 1> tints;
-  for (std::size_t i = 0; i <= kAcross; ++i) {
+  std::array<Column, kPointsAcross + 1> columns;
+  std::array<Tint, kPointsAcross + 1> tints;
+  for (std::size_t i = 0; i <= kPointsAcross; ++i) {
     const float radius = inner + (outer - inner) * placeAcross(i);
     columns[i] = column(angle, radius, fullness, squeeze);
     const float share =
@@ -178,10 +178,10 @@ void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const TissueLoa
     return face.low + share * (face.high - face.low);
   };
   const bool isCut = inner > layout_.innerRadius + 0.3F;
-  for (std::size_t i = 0; i <= kAcross; ++i) add(columns[i].high, tints[i]);
+  for (std::size_t i = 0; i <= kPointsAcross; ++i) add(columns[i].high, tints[i]);
   for (int i = kUpright; i >= 0; --i)
     add(upright(columns.back(), i), isPiece ? kCutFace : kCapsule);
-  for (std::size_t i = kAcross + 1; i-- > 0;) add(columns[i].low, shaded(tints[i], 0.9F));
+  for (std::size_t i = kPointsAcross + 1; i-- > 0;) add(columns[i].low, shaded(tints[i], 0.9F));
   for (int i = 0; i <= kUpright; ++i) {
     add(upright(columns.front(), i), isCut ? kCutFace : kEdge);
   }
@@ -197,7 +197,7 @@ void Meniscus::shape(
                                 : angleOfSection(i, layout_.toolAngle, layout_.halfAngle);
     addSection(mesh, angle, isPiece, squeeze);
   }
-  constexpr std::uint32_t kRound = 2 * (kAcross + 1) + 2 * (kUpright + 1);
+  constexpr std::uint32_t kRound = 2 * (kPointsAcross + 1) + 2 * (kUpright + 1);
   const auto last = static_cast<std::uint32_t>(sections) * kRound;
   if (mesh.triangles.empty()) {
     for (std::uint32_t first = 0; first < last; first += kRound) {
@@ -222,10 +222,10 @@ void Meniscus::shape(
 
 /// Turns the normals of the upper surface a little: the wet tissue glints in spots.
 void Meniscus::glisten(Mesh& mesh) const {
-  constexpr std::size_t kRound = 2 * (kAcross + 1) + 2 * (kUpright + 1);
+  constexpr std::size_t kRound = 2 * (kPointsAcross + 1) + 2 * (kUpright + 1);
   constexpr float kStrength = 0.2F;
   for (std::size_t first = 0; first < mesh.vertices.size(); first += kRound) {
-    for (std::size_t i = first; i <= first + kAcross; ++i) {
+    for (std::size_t i = first; i <= first + kPointsAcross; ++i) {
       const QVector3D way = mesh.vertices[i].position - layout_.arcCentre;
       const float own = kDegrees * std::atan2(way.x(), -way.z()) + moved_;
       const QVector3D at(0.12F * own, 0.8F * way.length(), 0.0F);

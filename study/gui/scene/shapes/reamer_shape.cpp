@@ -85,8 +85,8 @@ void addTeeth(Mesh& cap, float radius) {
 /// The hollow dome: outside from its top to the rim, and inside back to its axis.
 Mesh dome(float radius) {
   constexpr int kSteps = 26;
-  constexpr float kInside = 0.93F;  // its radius, by that of the outside
-  constexpr float kFloor = 0.62F;   // the height to which it is hollow, by the same
+  constexpr float kInnerRadius = 0.93F;  // its radius, by that of the outside
+  constexpr float kFloor = 0.62F;        // the height to which it is hollow, by the same
   std::vector<QVector2D> profile;
   for (int i = 0; i <= kSteps; ++i) {
     const float polar = 0.5F * kPi * static_cast<float>(i) / kSteps;
@@ -95,12 +95,12 @@ Mesh dome(float radius) {
   profile.emplace_back(radius, -0.05F * radius);
   profile.emplace_back(0.985F * radius, -0.065F * radius);
   profile.emplace_back(0.945F * radius, -0.065F * radius);
-  profile.emplace_back(kInside * radius, -0.05F * radius);
+  profile.emplace_back(kInnerRadius * radius, -0.05F * radius);
   for (int i = 0; i <= 6; ++i) {
     // The wall is thicker inside: uncut bone reaches a little into it.
     const float share = static_cast<float>(i) / 6.0F;
     const float height = kFloor * share;
-    const float inside = kInside - 0.11F * share;
+    const float inside = kInnerRadius - 0.11F * share;
     profile.emplace_back(radius * std::sqrt(inside * inside - height * height), radius * height);
   }
   profile.emplace_back(0.4F * radius, kFloor * radius);

@@ -94,8 +94,8 @@ TEST(OptionButtonsWithText, FillTheRingOfTheChosenOneOnly) {
   options.choose(0);
   const auto ring = [&](int index) {
     const auto picture = options.button(index)->grab().toImage();
-    constexpr int kAtSide = 22;
-    return picture.pixelColor(kAtSide, picture.height() / 2);
+    constexpr int kEdgeToCentre = 22;
+    return picture.pixelColor(kEdgeToCentre, picture.height() / 2);
   };
   EXPECT_EQ(ring(0), themeNamed(ThemeName::Light).accent.text);
   EXPECT_EQ(ring(1), themeNamed(ThemeName::Light).field.background);
