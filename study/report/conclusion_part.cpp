@@ -464,6 +464,11 @@ class VerdictWriter {
         found.push_back(one);
       }
     }
+    const auto test = testInWords(protocols::TestType::PairedT, words_);
+    if (found.empty() && untested.empty()) {
+      return words_.say(
+          "Compared within people ({}, exploratory), no difference from it is significant.", test);
+    }
     Names clauses;
     const auto holds = words_.say("holds for {}", where(found, &Outcome::significantWithin, false));
     const auto fails = words_.say("does not hold for {}", listed(none, words_));
@@ -472,9 +477,7 @@ class VerdictWriter {
     if (!none.empty()) clauses.push_back(fails);
     if (!untested.empty()) clauses.push_back(unknown);
     return words_.say(
-        "Compared within people ({}, exploratory), this {}.",
-        testInWords(protocols::TestType::PairedT, words_),
-        base::joined(clauses, ", "));
+        "Compared within people ({}, exploratory), this {}.", test, base::joined(clauses, ", "));
   }
 
   /// The title of a condition, with the name of its force model where it is first named.

@@ -95,7 +95,7 @@ QString itemsByCondition(const protocols::LoadedProtocol& loaded, const std::str
   const auto count = asked.begin()->second.size();
   const bool areAsMany =
       std::ranges::all_of(asked, [&](const auto& each) { return each.second.size() == count; });
-  return areAsMany ? tr("; %1 about each condition, not the same ones").arg(count)
+  return areAsMany ? tr("; %1 about each condition, not all the same").arg(count)
                    : tr("; conditions get different ones");
 }
 

@@ -235,11 +235,12 @@ void TextsDialog::showProgress() {
   const int all = static_cast<int>(typedTexts_.size());
   const bool hasReason = !reason_->isVisibleTo(this) || !reason().isEmpty();
   progress_->setText(
-      lacksEnglish   ? tr("A text that is given in another language is also needed in English.")
-      : filled < all ? tr("Filled in of %1: %2. A live session needs them all in English.")
-                           .arg(all)
-                           .arg(filledByLanguage())
-                     : tr("All %1 are filled in: %2.").arg(all).arg(filledByLanguage()));
+      lacksEnglish ? tr("A text that is given in another language is also needed in English.")
+      : filled < all
+          ? tr("Of %1 texts are filled in: %2. A live session needs them all in English.")
+                .arg(all)
+                .arg(filledByLanguage())
+          : tr("All %1 are filled in: %2.").arg(all).arg(filledByLanguage()));
   if (!hasReason) progress_->setText(progress_->text() + QLatin1Char(' ') + tr("Give a reason."));
   saveButton_->setEnabled(!lacksEnglish && hasReason);
 }

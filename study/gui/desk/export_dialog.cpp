@@ -63,7 +63,7 @@ Note noteOf(const NameSearchResult& named, bool hasTexts) {
   }
   if (named.names == 0) {
     return {
-        ExportDialog::tr("No participant gave a name, so there is none to find in these data."),
+        ExportDialog::tr("No names are kept, so none was searched for in these data."),
         Mark::None,
         advice};
   }
@@ -132,7 +132,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(QString(), writtenTexts_);
   form().addRow(QString(), traces_);
   form().addRow(tr("To a new folder"), target_);
-  form().addRow(tr("Same codes as"), earlierExport_);
+  form().addRow(tr("Use the codes of"), earlierExport_);
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(smallestGroup_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);

@@ -57,8 +57,8 @@ StudyPanel::StudyPanel(QWidget* parent)
       documents_(new QWidget(this)),
       documentRows_(new QVBoxLayout),
       blindingRemark_(bodyLabel(
-          tr("Sessions are still to come: who runs them should open no report, and no export with "
-             "names of conditions."),
+          tr("Sessions are still to come. Whoever runs them should open no report and no unblinded "
+             "export: they name the conditions."),
           this)),
       foot_(quietLabel({}, this)) {
   setProperty("role", QStringLiteral("card"));

@@ -46,8 +46,8 @@ Welcome::Welcome(QWidget* parent)
        &Welcome::tourRequested});
   addCard(
       {tr("System check"),
-       tr("Whether its devices, timing, disk and screens are good enough for a study. It takes a "
-          "few seconds."),
+       tr("Whether this computer's devices, timing, disk and screens are good enough for a study. "
+          "It takes a few seconds."),
        tr("System check…"),
        "",
        &Welcome::systemCheckRequested});

@@ -256,7 +256,8 @@ void ControlPanel::refresh() {
                 : tr("Now"));
   const bool mayEnd = mayDo(SessionEvent::Withdrew);
   ends_->setVisible(mayEnd);
-  ends_->setText(isRunning ? tr("Stops the force and ends the session") : tr("Ends the session"));
+  ends_->setText(
+      isRunning ? tr("To end the session (stops the force first)") : tr("Ends the session"));
   note_->setEnabled(isOpen);
   handOver_->setEnabled(isOpen);
   consent_->setVisible(isOpen && !isRunning);

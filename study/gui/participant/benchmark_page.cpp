@@ -18,6 +18,8 @@ BenchmarkPage::BenchmarkPage(const Content& content, QWidget* picture, QWidget* 
       next_(new QPushButton(content.next, this)) {
   addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
   stage_->setCaption(tr("The real instrument, not the simulator"));
+  stage_->stopHint().setText(
+      tr("To pause or stop: put the instrument down, and tell the researcher."));
   // what stands before the steps is a warning
   const auto steps = content.text.indexOf(QStringLiteral("\n\n1. "));
   auto* warning = bodyLabel(content.text.left(std::max<qsizetype>(0, steps)), this);

@@ -33,6 +33,8 @@ class Stage final : public QWidget {
   void setCounter(QWidget* counter);
   /// Adds a button at the end of the foot.
   void addButton(QPushButton* button);
+  /// How to pause or stop, on every page.
+  QLabel& stopHint() noexcept { return *stopHint_; }
   /// Why the button cannot be pressed yet; empty: it can.
   void setReason(const QString& reason);
 
@@ -56,7 +58,7 @@ class Stage final : public QWidget {
   QWidget* body_;
   QVBoxLayout* words_;
   QWidget* counter_ = nullptr;
-  QLabel* stopHint_ = nullptr;  ///< how to pause or stop, on every page
+  QLabel* stopHint_ = nullptr;
   QWidget* foot_;
   QLabel* reason_;
   QGridLayout* footRows_;

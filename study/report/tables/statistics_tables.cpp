@@ -258,9 +258,9 @@ class TablesWriter {
       if (row.group1 != group1 || row.group2 != group2) continue;
       const auto& test = row.test("paired_t");
       const auto& p = test.adjusted ? test.adjusted : test.p;
-      return p ? formatP(p) : std::string();
+      return p ? formatP(p) : "–";
     }
-    return {};
+    return "–";
   }
 
   /// The pooled tests of a study that does not declare them are corrected as in the punch paper.

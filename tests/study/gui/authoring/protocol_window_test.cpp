@@ -165,7 +165,7 @@ TEST_F(ProtocolWindowTest, ShowsASummaryFirstAndTheSourceOnRequest) {
         "Interpolation",
         "Round 1",
         "3 comparisons by Welch's t-test",
-        "9 questions; 3 about each condition, not the same ones"}) {
+        "9 questions; 3 about each condition, not all the same"}) {
     EXPECT_TRUE(words.contains(QLatin1String(part))) << part << " in " << words.toStdString();
   }
   auto* text = window.findChild<QPlainTextEdit*>();
