@@ -165,7 +165,8 @@ std::vector<AppendixPart> appendixOf(const ReportSection& section);
 
 inline constexpr std::string_view kAnswersCaption =
     "How often each point was chosen. Answers to negative statements are reversed, so that right "
-    "is good; the middle of the scale is centred. Numbers are counts, where there is room.";
+    "is good; the middle of the scale is centred. Numbers are counts, where there is room; n is "
+    "all answers.";
 
 inline constexpr std::string_view kParticipantMeansCaption =
     "What participants thought, by the mean of all that each answered about a method: dots are "
