@@ -65,8 +65,7 @@ void addKeyCommands(CLI::App& study, Action& action) {
   auto& parentCommand = addCommandGroup(
       study,
       "key",
-      "Manage the study's key (blinding key), which encrypts the assignment of conditions to "
-      "alternatives");
+      "Manage the study's key (blinding key), which encrypts what each alternative is");
   const auto add = [&](const char* name, const char* help, int (*perform)(const KeyArguments&)) {
     auto added = addCommand(parentCommand, action, name, help, perform);
     addStudyFolder(*added.command, added.options.folder);

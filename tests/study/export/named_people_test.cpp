@@ -61,12 +61,12 @@ TEST_F(NamedPeopleTest, CannotBeSearchedForWhereNoNameIsKept) {
 
 TEST_F(NamedPeopleTest, WhoAreAloneWithTheirBackgroundAreCounted) {
   for (int i = 0; i < 4; ++i) take("Xy", "", 3.0);
-  EXPECT_TRUE(says(readme("alike"), "0 of 4 people are alone"));
+  EXPECT_TRUE(says(readme("alike"), "0 of 4 people who completed are alone"));
   take("Xy", "", 4.0);
-  EXPECT_TRUE(says(readme("of one band"), "0 of 5 people are alone"));
-  EXPECT_TRUE(says(readme("exact", true), "1 of 5 people are alone"));
+  EXPECT_TRUE(says(readme("of one band"), "0 of 5 people who completed are alone"));
+  EXPECT_TRUE(says(readme("exact", true), "1 of 5 people who completed are alone"));
   take("Xy", "", 27.0);
-  EXPECT_TRUE(says(readme("alone"), "1 of 6 people are alone"));
+  EXPECT_TRUE(says(readme("alone"), "1 of 6 people who completed are alone"));
 }
 
 TEST_F(NamedPeopleTest, AreFoundInParticipantCodes) {
