@@ -97,9 +97,10 @@ void CutTable::begin(const haptics::devices::DeviceKind& device, double rate) {
 void CutTable::writeHeads(bool isCut) {
   const auto newLine = QStringLiteral("\n");
   QStringList heads;
-  for (std::size_t i = 0; i < kLandmarks.size(); ++i)
+  for (std::size_t i = 0; i < kLandmarks.size(); ++i) {
     heads << newLine + QStringLiteral("N")
           << newLine + (travel_.suffix.isEmpty() ? tr("at") : travel_.unit);
+  }
   heads << tr("Depth") << (isCut ? tr("Peak") + newLine + QStringLiteral("N") : tr("Largest force"))
         << tr("Time");
   setHorizontalHeaderLabels(heads);
