@@ -426,7 +426,7 @@ TEST_F(StudyDialogsTest, PlanSaysFirstWhatTheStudyCanFind) {
       "probability of 80\u00a0%; 12 find it with 73\u00a0%. The protocol declares another test: "
       "Welch’s t.\n"
       "All participants have the same order: no number of them balances it.\n"
-      "A session lasts about 15 minutes.");
+      "A session lasts about 16 minutes.");
   const auto caveats = dialog.findChild<NoteList*>(QStringLiteral("caveats"))->text();
   EXPECT_TRUE(caveats.contains(QStringLiteral("paired t-test"))) << caveats.toStdString();
   // As 'palpate plan' prints for 12 participants, where no method differs.

@@ -167,7 +167,10 @@ TEST(PageLayout, SaysWhichInstrumentIsRealAndHowToStop) {
     Pages::settle();
     EXPECT_EQ(pages.says("The handle of the simulator"), kind == StepKind::Trial);
     EXPECT_EQ(pages.says("The real instrument, not the simulator"), kind == StepKind::Benchmark);
-    EXPECT_TRUE(pages.says("To pause or stop: let go, and tell the researcher."));
+    EXPECT_TRUE(pages.says(
+        kind == StepKind::Benchmark
+            ? "To pause or stop: put the instrument down, and tell the researcher."
+            : "To pause or stop: let go, and tell the researcher."));
   }
 }
 
