@@ -126,7 +126,6 @@ MessageBox::MessageBox(
 /// High enough for words that wrap: before they had the theme's font they were measured too low.
 void MessageBox::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
-  for (auto* label : findChildren<QLabel*>()) label->updateGeometry();
   resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
 }
 
