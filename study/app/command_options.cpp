@@ -113,7 +113,8 @@ void printNeedOfServer(const Study& study) {
   if (study.station().isNone()) return;
   fmt::print(
       "This is one station of several: what is recorded with this version is refused by the server "
-      "until it has the version, too. Whoever runs the study adds it there: palpate study protocol "
+      "until it has the version, too. The administrator of the server adds it there: palpate study "
+      "protocol "
       "{} --out FILE, palpate collect init --protocol FILE.\n",
       asShellWord(study.folder().string()));
 }

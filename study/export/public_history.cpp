@@ -155,9 +155,9 @@ void requireSafeFromDifferencing(Study& study, const ExportOptions& options) {
   const auto k = options.publicClassSize.value_or(kSmallestPublicClassSize);
   throw storage::StorageError(
       "This study was published before, in " + words::counted(history.earlier, "public export") +
-      ". Who lays that beside this one finds the same people by their answers, and would know " +
+      ". A reader of both matches people by their answers, and could single out " +
       words::counted(history.combinedClasses.peopleInSmallClasses, "person", "people") + " (" +
-      std::to_string(history.newPeople) + " of them new) as one of fewer than " +
+      std::to_string(history.newPeople) + " of them new) in a class of fewer than " +
       std::to_string(k) + ". Nothing was written. Wait until at least " + std::to_string(k) +
       " more people who are alike took part, and keep the same --k; or do not publish again.");
 }

@@ -161,7 +161,7 @@ std::vector<fs::path> unfinishedFoldersOf(const fs::path& copy) {
 }
 
 /// The events without those of the stations from which the study was collected: their paths are of
-/// other computers.
+/// other computers. The first event says how many events behind it were collected.
 std::vector<storage::Event> eventsOfThisFolder(Study& study) {
   auto events = study.events().read();
   if (!study.isCollected() || events.empty()) return events;

@@ -28,7 +28,7 @@ struct StudySummary {
   std::vector<CohortProgress> cohorts;
   std::string lastSessionUtc;   ///< when the latest session of defaultRunMode() began; empty if
                                 ///< there is none, or if the sessions are simulated
-  bool isOpenLabel = false;     ///< the study hides its conditions from nobody
+  bool isOpenLabel = false;     ///< the study does not hide its conditions
   std::size_t blanks = 0;       ///< in texts for participants, still to be filled in
   bool lacksKeyBackup = false;  ///< no copy was made of the key with which conditions are sealed
   std::vector<UnfinishedSession> unfinished;

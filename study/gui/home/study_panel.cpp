@@ -57,7 +57,7 @@ StudyPanel::StudyPanel(QWidget* parent)
       documents_(new QWidget(this)),
       documentRows_(new QVBoxLayout),
       blindingRemark_(bodyLabel(
-          tr("Sessions are still to come. Whoever runs them should open no report and no unblinded "
+          tr("Sessions are still to come. Their operators should open no report and no unblinded "
              "export: they name the conditions."),
           this)),
       foot_(quietLabel({}, this)) {

@@ -30,6 +30,13 @@ class AmendDialogTest : public testing::Test {
     return dialog.findChild<NoteList*>(QStringLiteral("more"))->text();
   }
 
+  /// @p protocol under another title.
+  static std::string retitled(const protocols::LoadedProtocol& protocol) {
+    auto text = protocol.text;
+    const std::string title = "\"title\": \"";
+    return text.insert(text.find(title) + title.size(), "Changed: ");
+  }
+
   tests::ScratchFolder out_;
 };
 
@@ -38,9 +45,7 @@ TEST_F(AmendDialogTest, ChangesTheProtocolOfNewSessions) {
   const auto protocol = *protocols::loadProtocolFile("two-devices", problems);
   SystemClock clock;
   Study::create(out_ / "other", protocol, clock, 7);
-  auto text = protocol.text;
-  const std::string title = "\"title\": \"";
-  text.insert(text.find(title) + title.size(), "Changed: ");
+  const auto text = retitled(protocol);
   const auto file = out_.write("changed.json", text);
   AmendDialog dialog(summaryOf(out_ / "other"));
   auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
@@ -84,9 +89,7 @@ TEST_F(AmendDialogTest, KeepsTheTextsOfTheStudy) {
   const auto filled = *protocols::withTexts(shipped, texts, problems);
   SystemClock clock;
   Study::create(out_ / "other", filled, clock, 7);
-  auto text = shipped.text;
-  const std::string title = "\"title\": \"";
-  text.insert(text.find(title) + title.size(), "Changed: ");
+  const auto text = retitled(shipped);
   const auto file = out_.write("changed.json", text);
   AmendDialog dialog(summaryOf(out_ / "other"));
   dialog.findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("a new title"));
