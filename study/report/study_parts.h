@@ -6,13 +6,19 @@
 #include <string_view>
 #include <vector>
 
-#include "study/report/answer.h"
 #include "study/report/report_section.h"
 
 // The parts of a page about one study. Each is HTML, and may be empty.
 namespace study::report {
 
 class Citations;
+
+/// What tables say, in the order in which a reader needs it.
+struct Answer {
+  std::string finding;                 ///< the headline: two or three short sentences
+  std::string more{};                  ///< where, how much, and what was not tested; may be empty
+  std::vector<std::string> caveats{};  ///< what weakens it, and what it does not say
+};
 
 /// Whether participants were real or simulated, and what the study asks.
 std::string headAsHtml(const ReportSection& section);

@@ -8,7 +8,7 @@
 
 #include "study/gui/widgets/note_list.h"
 #include "study/model/data_table.h"
-#include "study/report/answer.h"
+#include "study/report/study_parts.h"
 
 namespace study::gui {
 

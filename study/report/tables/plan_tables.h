@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "study/model/data_table.h"
-#include "study/report/answer.h"
+#include "study/report/study_parts.h"
 #include "study/results/study_plan.h"
 #include "study/words/words.h"
 

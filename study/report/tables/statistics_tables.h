@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "study/model/data_table.h"
-#include "study/report/answer.h"
 #include "study/report/report_section.h"
+#include "study/report/study_parts.h"
 
 namespace study::report {
 
