@@ -20,11 +20,12 @@ struct ChangedMeaning {
     Asked,    ///< whether an item is asked, or about which conditions
     Scene,    ///< what is felt as a condition
     Title,    ///< what a condition is called in results
+    Order,    ///< how the orders of a block are drawn: places begin again
   };
 
   Aspect aspect = Aspect::Scale;
-  std::string instrument;  ///< id; empty for a condition
-  std::string id;          ///< of the item, score or condition
+  std::string instrument;  ///< id; empty for a condition or block
+  std::string id;          ///< of the item, score, condition or block
 
   auto operator<=>(const ChangedMeaning&) const = default;
 };
@@ -47,7 +48,7 @@ const questionnaires::Score* comparableScore(
     const questionnaires::Score& score);
 
 /// "3 of 6 participants read other words: 1.1, 1.2".
-/// @param ids  of the items, scores or conditions, separated by ", "
+/// @param ids  of the items, scores, conditions or blocks, separated by ", "
 base::Message inWords(
     ChangedMeaning::Aspect aspect,
     std::size_t participants,

@@ -6,6 +6,7 @@
 #include "base/search.h"
 #include "protocols/changed_meaning.h"
 #include "protocols/model/messages.h"
+#include "protocols/orders/schedule.h"
 #include "questionnaires/scoring/scoring.h"
 
 namespace protocols {
@@ -109,6 +110,9 @@ class VersionComparison {
       note(sceneOf(before_, *earlier) != sceneOf(after_, condition), Aspect::Scene, condition.id);
       note(earlier->title != condition.title, Aspect::Title, condition.id);
     }
+    for (const auto& block : blocksOrderedOtherwise(before_.protocol, after_.protocol)) {
+      note(true, Aspect::Order, block);
+    }
     std::ranges::sort(changes_);
     return std::move(changes_);
   }
@@ -198,6 +202,8 @@ base::Message inWords(
       return message("changed.scene", participants, everybody, ids);
     case Aspect::Title:
       return message("changed.title", participants, everybody, ids);
+    case Aspect::Order:
+      return message("changed.order", participants, everybody, ids);
   }
   return {};
 }

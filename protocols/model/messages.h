@@ -184,6 +184,8 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"changed.key", "{} of {} participants answered with another key: {}"},
     {"changed.wording", "{} of {} participants read other words: {}"},
     {"changed.asked", "{} of {} participants answered before this was asked as it is now: {}"},
+    {"changed.order",
+     "{} of {} participants had orders of another design, and places began again at 1: {}"},
     {"changed.scene", "{} of {} participants felt another rendering: {}"},
     {"changed.title", "{} of {} participants felt this under another title: {}"},
 });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <string>
 
 #include "base/random.h"
@@ -100,6 +101,18 @@ std::vector<std::string> inProtocolOrder(const Protocol& protocol, const Block& 
   return sorted;
 }
 
+/// The conditions of all blocks, in the order of the protocol's "conditions".
+std::vector<std::string> feltConditions(const Protocol& protocol) {
+  std::vector<std::string> felt;
+  for (const auto& condition : protocol.conditions) {
+    const bool isFelt = std::ranges::any_of(protocol.phases, [&](const Phase& phase) {
+      return base::contains(phase.trials.conditions, condition.id);
+    });
+    if (isFelt) felt.push_back(condition.id);
+  }
+  return felt;
+}
+
 int indexOf(const std::vector<std::string>& all, const std::string& one) {
   return static_cast<int>(std::ranges::find(all, one) - all.begin());
 }
@@ -172,6 +185,27 @@ Schedule scheduleFor(
     schedule.blocks.push_back(std::move(block));
   }
   return schedule;
+}
+
+std::vector<std::string> blocksOrderedOtherwise(const Protocol& before, const Protocol& after) {
+  const bool isEachDrawnOtherwise = before.seed != after.seed ||
+                                    before.labels.policy != after.labels.policy ||
+                                    feltConditions(before) != feltConditions(after);
+  std::set<std::string> blocks;
+  const auto compare = [&](const Protocol& one, const Protocol& other) {
+    for (const auto& phase : one.phases) {
+      const auto* same = other.phase(phase.id);
+      const bool isDrawnAlike = same != nullptr && same->type == phase.type &&
+                                same->trials.order.type == phase.trials.order.type &&
+                                same->trials.order.of == phase.trials.order.of &&
+                                same->trials.conditions == phase.trials.conditions;
+      const bool isBlock = phase.type == PhaseType::Block;
+      if (isBlock && (isEachDrawnOtherwise || !isDrawnAlike)) blocks.insert(phase.id);
+    }
+  };
+  compare(before, after);
+  compare(after, before);
+  return {blocks.begin(), blocks.end()};
 }
 
 Balance balanceOf(

@@ -57,6 +57,10 @@ struct Schedule {
 Schedule scheduleFor(
     const Protocol& protocol, std::uint64_t seed, std::string_view cohort, std::uint64_t slot);
 
+/// The blocks of @p before or @p after for which both draw other orders, so that a place of one
+/// says nothing about the other. If it is empty, scheduleFor() gives the same for both.
+std::vector<std::string> blocksOrderedOtherwise(const Protocol& before, const Protocol& after);
+
 /// How often conditions are at each position and follow each other, for a number of participants.
 struct Balance {
   /// The design is balanced for every multiple of this number of participants; 0 for drawn orders,

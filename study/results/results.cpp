@@ -115,6 +115,7 @@ class Computation {
 
   /// Whether a change concerns what a family compares.
   bool concerns(const protocols::Family& family, const protocols::ChangedMeaning& change) const {
+    if (change.aspect == protocols::ChangedMeaning::Aspect::Order) return false;
     if (change.instrument.empty()) {
       return base::contains(conditionsOf(loaded_.protocol, family), change.id);
     }

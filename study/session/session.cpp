@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/joined.h"
+#include "protocols/orders/schedule.h"
 #include "questionnaires/json/document.h"
 #include "study/session/drawn_plan.h"
 #include "study/session/identity_evidence.h"
@@ -93,6 +94,21 @@ void prepareParticipant(Study& study, const SessionRow& row) {
   if (isNew && row.runMode != RunMode::Simulated) study.identities().drawKeys(row.participant);
 }
 
+/// The versions of the protocol that draw the same orders as the newest one, among those that this
+/// release can read.
+std::vector<ProtocolId> versionsOfDesign(Study& study) {
+  const auto& newest = study.protocol().protocol;
+  std::vector<ProtocolId> versions = study.protocols().all();
+  std::erase_if(versions, [&](ProtocolId id) {
+    try {
+      return !protocols::blocksOrderedOtherwise(study.protocol(id).protocol, newest).empty();
+    } catch (const storage::StorageError&) {
+      return true;
+    }
+  });
+  return versions;
+}
+
 /// Stores a new participant's first session, inside the caller's transaction.
 std::vector<Step> addFirstSession(Study& study, SessionRow& row, const Moment& now) {
   auto sessions = study.sessions();
@@ -100,7 +116,7 @@ std::vector<Step> addFirstSession(Study& study, SessionRow& row, const Moment& n
   row.startedUtc = asUtc(now.wall);
   if (row.participant.empty()) row.participant = sessions.freeCode(row.runMode, row.station);
   prepareParticipant(study, row);
-  row.slot = sessions.freeSlot(row.protocol, row.runMode, row.cohort, row.station);
+  row.slot = sessions.freeSlot(versionsOfDesign(study), row.runMode, row.cohort, row.station);
   auto plan = drawnPlan(study, row);
   freezeProtocolIfFirst(study, row, now);
   sessions.add(row, plan, std::string(appVersion()));

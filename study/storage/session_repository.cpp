@@ -1,6 +1,7 @@
 #include "study/storage/session_repository.h"
 
 #include <array>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -76,17 +77,21 @@ std::optional<VisitStatus> visitStatusNamed(std::string_view name) noexcept {
 }
 
 std::int64_t SessionRepository::freeSlot(
-    ProtocolId protocol,
+    const std::vector<ProtocolId>& versions,
     RunMode mode,
     const std::string& cohort,
     const std::string& station) const {
-  Statement held(
-      database_,
-      "SELECT slot FROM session WHERE protocol_id = ? AND run_mode = ? AND cohort = ? "
-      "AND station = ? AND slot_state <> 'released' ORDER BY slot");
-  held.bindAll(protocol, nameOf(mode), cohort, station);
+  std::set<std::int64_t> held;
+  for (const auto version : versions) {
+    Statement select(
+        database_,
+        "SELECT slot FROM session WHERE protocol_id = ? AND run_mode = ? AND cohort = ? "
+        "AND station = ? AND slot_state <> 'released'");
+    select.bindAll(version, nameOf(mode), cohort, station);
+    while (select.step()) held.insert(select.number(0));
+  }
   std::int64_t free = 0;
-  while (held.step() && held.number(0) == free) ++free;
+  while (held.contains(free)) ++free;
   return free;
 }
 

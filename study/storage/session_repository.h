@@ -54,9 +54,10 @@ class SessionRepository {
  public:
   explicit SessionRepository(Database& database) : database_(database) {}
 
-  /// The lowest free place of the design. Each station has its own places.
+  /// The lowest free place of a design. Each station has its own places.
+  /// @param versions  those of the protocol that draw the same orders
   std::int64_t freeSlot(
-      ProtocolId protocol,
+      const std::vector<ProtocolId>& versions,
       RunMode mode,
       const std::string& cohort,
       const std::string& station = {}) const;

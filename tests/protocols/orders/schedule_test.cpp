@@ -237,6 +237,25 @@ TEST(Schedule, IsTheOneThatItsDescriptionGives) {
   }
 }
 
+TEST(Schedule, SaysWhichBlocksAnotherVersionDrawsOtherwise) {
+  const auto other = block("other", R"({"type": "random"})");
+  const auto before = ofThree({other});
+  const auto changedBlocks = [&](const Protocol& after) {
+    EXPECT_EQ(blocksOrderedOtherwise(before, after), blocksOrderedOtherwise(after, before));
+    return blocksOrderedOtherwise(before, after);
+  };
+  EXPECT_EQ(changedBlocks(ofThree({other})), Names{});
+  EXPECT_EQ(changedBlocks(ofThree({block("other", R"({"type": "fixed"})")})), Names{"other"});
+  EXPECT_EQ(changedBlocks(ofThree()), Names{"other"}) << "the block is gone";
+  EXPECT_EQ(changedBlocks(ofThree({other}, "position")), (Names{"felt", "other"}));
+  auto others = before;
+  std::swap(others.conditions.front(), others.conditions.back());
+  EXPECT_EQ(changedBlocks(others), (Names{"felt", "other"})) << "labels number conditions";
+  auto seeded = before;
+  seeded.seed = 4;
+  EXPECT_EQ(changedBlocks(seeded), (Names{"felt", "other"}));
+}
+
 /// The balance of a block of three in some order, with so many participants.
 Balance balanceWith(const std::string& order, std::size_t participants) {
   const auto protocol = ofThree({block("other", order)});

@@ -195,6 +195,9 @@ TEST_F(ProtocolVersionsTest, SayThatAConditionWasChanged) {
   EXPECT_EQ(
       changedTo("The title of kalman", "Another"),
       "1 of 1 participants felt this under another title: kalman");
+  EXPECT_EQ(
+      changedTo("balancedLatinSquare", "latinSquare"),
+      "1 of 1 participants had orders of another design, and places began again at 1: felt");
   EXPECT_EQ(changedTo(R"("alpha": 0.05)", R"("alpha": 0.01)"), "") << "no answer is read by it";
 }
 

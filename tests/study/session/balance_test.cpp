@@ -105,5 +105,21 @@ TEST(Balance, FillsFreedPlacesFirstWithConcurrentSessions) {
   }
 }
 
+TEST(Balance, GoesOnAfterAnAmendmentThatLeavesTheOrders) {
+  const auto version = [](const tests::ShortProtocol& options) {
+    return tests::protocolFrom(tests::shortProtocol(options));
+  };
+  tests::MadeStudy study(version({.questionnaire = ""}));
+  const auto nextPlace = [&] { return Session::enrol(*study, {.cohort = "surgeons"}).slot(); };
+  EXPECT_EQ(nextPlace(), 0);
+  EXPECT_EQ(nextPlace(), 1);
+  study->amend(version({.questionnaire = "", .hasPreference = false}), "no preference");
+  EXPECT_EQ(nextPlace(), 2);
+  study->amend(version({.order = "complete", .questionnaire = ""}), "all orders");
+  EXPECT_EQ(nextPlace(), 0) << "another design";
+  study->amend(version({.questionnaire = "", .minimumCuts = 2}), "as before");
+  EXPECT_EQ(nextPlace(), 3);
+}
+
 }  // namespace balance_test
 }  // namespace study
