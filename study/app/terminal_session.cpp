@@ -233,7 +233,7 @@ class TerminalSession {
   std::vector<std::pair<std::string, std::string>> optionsOf(const Item& item) const {
     std::vector<std::pair<std::string, std::string>> options;
     if (item.optionSource == questionnaires::OptionSource::Alternatives) {
-      for (const auto& label : session_.step().alternatives) {
+      for (const auto& label : session_.alternatives()) {
         options.emplace_back(label, alternative(label));
       }
       return options;

@@ -71,8 +71,8 @@ std::string SimulatedParticipant::drawPreferredLabel(
     const Session& session, const std::string& purpose) const {
   std::string best;
   double most = -1e300;
+  const auto labels = session.alternatives();
   for (const auto& step : session.plan()) {
-    const auto& labels = session.step().alternatives;
     const auto* phase = session.protocol().protocol.phase(session.step().phase);
     const std::string label = std::to_string(step.label);
     const bool isChoice = step.kind == StepKind::Trial && phase != nullptr &&

@@ -116,6 +116,7 @@ StudyRows::StudyRows(Study& study, const ExportOptions& options)
   answers_ = records.answers();
   trials_ = records.trials();
   cuts_ = records.cuts();
+  unfinishedTrials_ = records.unfinishedTrials();
   // A vote's alternative gets a code only from the folder's own rows: if nothing was asked about
   // the alternative, a blinded folder has no row with its code.
   const auto add = [&](const StepRecord& step) {
@@ -153,6 +154,14 @@ std::string_view StudyRows::chosenIn(const ExportedAnswer& row) const {
   const auto& codes = codes_.at(row.owner.runMode);
   const auto code = codes.find(*chosen);
   return code == codes.end() ? std::string_view() : code->second;
+}
+
+bool StudyRows::isVoteWithoutAll(const ExportedAnswer& row) const {
+  const auto& session = sessions_.at(row.owner.session);
+  const auto* phase = study_.protocol(session.protocol).protocol.phase(row.block);
+  return phase != nullptr && row.item != nullptr &&
+         row.item->optionSource == questionnaires::OptionSource::Alternatives &&
+         unfinishedTrials_.contains({session.id, phase->block});
 }
 
 std::vector<ExportedSession> StudyRows::sessions() const {
@@ -200,6 +209,8 @@ std::vector<ExportedAnswer> StudyRows::answers(bool areTexts) const {
       row.excluded = nameOf(record.step.visitStatus);
     } else if (!versions_.isPooled(version, asked, record.answer.item)) {
       row.excluded = "other_scale";
+    } else if (isVoteWithoutAll(row)) {
+      row.excluded = "not_all_felt";
     }
     rows.push_back(std::move(row));
   }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "study/export/export.h"
@@ -93,6 +94,8 @@ class StudyRows {
   ExportedStep stepOf(const storage::SessionRecord& session, const storage::StepRecord& step) const;
   /// The condition, or its code, of the alternative that a response names.
   std::string_view chosenIn(const ExportedAnswer& row) const;
+  /// Whether the answer is a vote of a participant who had not felt every alternative.
+  bool isVoteWithoutAll(const ExportedAnswer& row) const;
 
   Study& study_;
   ProtocolVersions versions_;
@@ -104,6 +107,7 @@ class StudyRows {
   std::vector<storage::AnswerRecord> answers_;
   std::vector<storage::StoredTrial> trials_;
   std::vector<storage::CutRecord> cuts_;
+  std::map<std::pair<SessionId, std::string>, int> unfinishedTrials_;
   storage::Records::Allocation conditionOfAlternative_;  ///< condition ids, of exported rows only
 };
 

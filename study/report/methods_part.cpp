@@ -332,6 +332,13 @@ class MethodsWriter : HtmlWriter {
             section_.blockTitle(phase.trials.order.of)),
         section_.words.count(
             phase.trials.minimumCuts, "at least {} cut or stroke", "at least {} cuts or strokes"));
+    const auto& skipped = section_.quality.interrupted.skipped;
+    if (const auto found = skipped.find(phase.id); found != skipped.end()) {
+      text +=
+          " " +
+          section_.words.count(
+              found->second, "Of these trials {} was skipped.", "Of these trials {} were skipped.");
+    }
     for (const auto& asked : phase.trials.questionnaires) {
       text +=
           " " + section_.words.say(

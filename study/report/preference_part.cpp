@@ -16,6 +16,15 @@ class PreferenceWriter : HtmlWriter {
     if (section_.results.votes.empty()) return {};
     const auto tables = voteTables(section_.results);
     for (const auto& one : tables) putVoteTable(one);
+    std::size_t leftOut = 0;
+    for (const auto& vote : section_.results.votes) leftOut += vote.leftOut;
+    if (leftOut > 0) {
+      const auto counted = count(
+          leftOut,
+          "Not counted: {} vote of a participant for whom an alternative was skipped.",
+          "Not counted: {} votes of participants for whom an alternative was skipped.");
+      put("<p class=\"note\">{}</p>", counted);
+    }
     const auto exact = say(
         "Exact multinomial test of equal shares, for each round by itself (exploratory): p is the "
         "probability of all outcomes that are no more probable than the one observed.");

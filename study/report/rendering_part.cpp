@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/joined.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
@@ -22,6 +23,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kMeanings
      {"yield", "the largest force before it falls while the tool goes on"},
      {"bottom-out", "the smallest force after that, before it rises again at the end"},
      {kOpening, "the largest force before the tool goes back"}}};
+
+/// How a trial ended, by TrialEnding.
+constexpr std::array<std::string_view, 6> kEndings{
+    "all cuts made",
+    "stopped",
+    "device failed",
+    "trace not stored",
+    "too few cuts in the time allowed",
+    "program ended"};
 
 /// @param rising  not empty.
 double medianOf(const std::vector<double>& rising) {
@@ -440,6 +450,25 @@ class RenderingWriter : HtmlWriter {
     return text;
   }
 
+  /// What was felt beside the trials that count, and what was not felt; empty if nothing was.
+  std::string interruptions() const {
+    const auto& found = section_.quality.interrupted;
+    int brokenOff = 0;
+    int skipped = 0;
+    for (const auto& [ending, trials] : found.brokenOff) brokenOff += trials;
+    for (const auto& [block, trials] : found.skipped) skipped += trials;
+    if (brokenOff + found.repeated + skipped == 0) return {};
+    const auto reasons = base::joined(found.brokenOff, ", ", [&](const auto& one) {
+      return say(kEndings.at(static_cast<std::size_t>(one.first))) + ": " +
+             std::to_string(one.second);
+    });
+    return " " + say("Beside these trials: {} broken off{}, {} repeated, {} skipped.",
+                     brokenOff,
+                     reasons.empty() ? reasons : " (" + reasons + ")",
+                     found.repeated,
+                     skipped);
+  }
+
   void quality() {
     const auto& q = section_.quality;
     put("<h4>{}</h4>", say("Rendering quality"));
@@ -447,7 +476,7 @@ class RenderingWriter : HtmlWriter {
         q.worstLateness ? say("In the worst trial 99 % of the ticks were at most {:.0f} µs late.",
                               *q.worstLateness)
                         : say("The trials ran in virtual time, so there is no lateness to report.");
-    put("<p>{} {}</p>", counts(), lateness);
+    put("<p>{} {}{}</p>", counts(), lateness, interruptions());
     saturatedTrials();
     if (q.reasons.empty()) return;
     put("<ul>");

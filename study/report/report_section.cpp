@@ -30,16 +30,19 @@ void addReasons(std::vector<TrialReasons>& all, std::vector<base::Message> reaso
   }
 }
 
-/// The trials of completed sessions that were finished and not repeated.
-std::vector<storage::StoredTrial> countedTrials(const storage::Records& records, RunMode mode) {
+/// All visits to the trials of completed sessions, and how many trials were never finished.
+std::vector<storage::StoredTrial> trialsOf(
+    const storage::Records& records, RunMode mode, InterruptedTrials& interrupted) {
   std::set<SessionId> wanted;
   for (const auto& session : records.sessions()) {
     if (session.runMode == mode && session.isCompleted()) wanted.insert(session.id);
   }
+  for (const auto& [where, trials] : records.unfinishedTrials()) {
+    if (wanted.contains(where.first)) interrupted.skipped[where.second] += trials;
+  }
   auto trials = records.trials();
-  std::erase_if(trials, [&](const auto& trial) {
-    return !trial.step.isFinished() || !wanted.contains(trial.step.visit.session);
-  });
+  std::erase_if(
+      trials, [&](const auto& trial) { return !wanted.contains(trial.step.visit.session); });
   return trials;
 }
 
@@ -47,8 +50,16 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
   TrialQuality quality;
   std::map<std::string, SaturatedTrials> saturatedTrials;
   std::map<std::string, ConditionTrials> felt;
-  for (const auto& trial : countedTrials(storage::Records(study.database()), mode)) {
-    if (trial.step.isOptionalRepetition()) {
+  const storage::Records records(study.database());
+  for (const auto& trial : trialsOf(records, mode, quality.interrupted)) {
+    const bool isOptional = trial.step.isOptionalRepetition();
+    if (!trial.step.isFinished()) {
+      if (isOptional) continue;
+      if (trial.step.visitStatus == storage::VisitStatus::Repeated) ++quality.interrupted.repeated;
+      if (trial.ending != TrialEnding::Finished) ++quality.interrupted.brokenOff[trial.ending];
+      continue;
+    }
+    if (isOptional) {
       ++quality.optionalTrials;
       continue;
     }

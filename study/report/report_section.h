@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +62,14 @@ struct TrialReasons {
   int trials = 1;                      ///< number of trials with reasons of the same kinds
 };
 
+/// The trials of completed sessions that did not go as planned, without the optional ones before a
+/// preference.
+struct InterruptedTrials {
+  std::map<TrialEnding, int> brokenOff;  ///< visits, by the reason
+  int repeated = 0;                      ///< visits that were finished and then repeated
+  std::map<std::string, int> skipped;    ///< trials that were never finished, by block
+};
+
 /// How well the trials of a study were rendered. Counts the trials of completed sessions that were
 /// finished and not repeated, without the optional ones before a preference.
 struct TrialQuality {
@@ -78,6 +87,7 @@ struct TrialQuality {
   std::vector<ConditionTrials> conditions;       ///< rendered ones, in the protocol's order
   std::vector<SaturatedTrials> saturatedTrials;  ///< by condition, in the protocol's order
   std::vector<TrialReasons> reasons;             ///< without the reason that the force was limited
+  InterruptedTrials interrupted;
 };
 
 /// Travel and force at a landmark, over all cuts of a condition that count; each cut counts once.

@@ -54,6 +54,7 @@ class Computation {
       if (counts) trials_.push_back(std::move(trial));
     }
     allocation_ = records_.allocation();
+    unfinishedTrials_ = records_.unfinishedTrials();
   }
 
   Results all() {
@@ -351,6 +352,7 @@ class Computation {
         .phase = phase.id,
         .block = phase.block,
         .votes = analysis::VoteCounts(block.conditions),
+        .leftOut = 0,
         .test = {},
         .intervals = {}};
     const auto* instrument = loaded_.instrument(phase.instrument);
@@ -360,7 +362,12 @@ class Computation {
       if (!site.empty() && session.site != site) continue;
       const auto* item = instrument->item(answer.answer.item);
       const auto* felt = chosenCondition(allocation_, answer, item, phase.block);
-      if (felt != nullptr && base::contains(block.conditions, *felt)) result.votes.add(*felt);
+      if (felt == nullptr || !base::contains(block.conditions, *felt)) continue;
+      if (unfinishedTrials_.contains({session.id, phase.block})) {
+        ++result.leftOut;
+      } else {
+        result.votes.add(*felt);
+      }
     }
     result.test = analysis::equalSharesTest(result.votes);
     for (const auto& share : result.votes.shares()) {
@@ -381,6 +388,7 @@ class Computation {
   std::vector<AnswerRecord> answers_;
   std::vector<storage::StoredTrial> trials_;
   Records::Allocation allocation_;
+  std::map<std::pair<SessionId, std::string>, int> unfinishedTrials_;
 };
 
 }  // namespace

@@ -114,6 +114,7 @@ struct VoteResult {
   std::string phase;  ///< phase of the preference
   std::string block;
   analysis::VoteCounts votes;  ///< by id of the chosen condition
+  std::size_t leftOut = 0;     ///< votes of participants who had not felt every alternative
   analysis::EqualSharesResult test;
   std::vector<std::optional<analysis::Interval>> intervals;  ///< Wilson's, 95 %, of each share
 };

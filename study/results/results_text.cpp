@@ -343,7 +343,9 @@ class Writer {
           const bool isTested = p && vote->votes.total() > 1;
           line(
               votesInWords(title, "after " + vote->block, vote->votes) +
-              (isTested ? "exact " + inWords(p) : ""));
+              (isTested ? "exact " + inWords(p) : "") +
+              (vote->leftOut > 0 ? fmt::format("; not counted: {}, who skipped one", vote->leftOut)
+                                 : ""));
         }
         if (cohort.rounds.size() > 1) line(votesInWords(title, "Sum", cohort.sum));
       }

@@ -71,6 +71,9 @@ class Session {
   /// The questionnaire of the present step; nullptr if it has none.
   const questionnaires::Instrument* instrument() const;
   std::vector<questionnaires::Item> items() const;
+  /// The labels of the alternatives that the present step offers: those that were felt, or all if
+  /// none was. Empty for a step without alternatives.
+  std::vector<std::string> alternatives() const;
   /// The answers given in the present step.
   std::vector<GivenAnswer> answers() const;
   /// Whether @p item, one of items(), is asked after the answers given so far (its showIf).

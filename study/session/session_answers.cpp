@@ -74,10 +74,27 @@ questionnaires::Item Session::askedItem(const std::string& id) const {
   return *item;
 }
 
+std::vector<std::string> Session::alternatives() const {
+  const auto* phase = protocol_->protocol.phase(step().phase);
+  const auto sessions = study_.sessions();
+  std::vector<std::string> felt = step().alternatives;
+  for (int i = 0; i < row_.step; ++i) {
+    const auto& trial = plan_[static_cast<std::size_t>(i)];
+    const bool isOffered = trial.kind == StepKind::Trial && !trial.isOptionalTrial &&
+                           phase != nullptr && trial.phase == phase->block;
+    if (!isOffered) continue;
+    const VisitKey last{row_.id, i, sessions.attempts(row_.id, i)};
+    if (sessions.statusOf(last) != storage::VisitStatus::Finished) {
+      std::erase(felt, std::to_string(trial.label));
+    }
+  }
+  return felt.empty() ? step().alternatives : felt;
+}
+
 void Session::record(const GivenAnswer& answer) {
   requireAnswerable();
   const auto item = askedItem(answer.item);
-  const auto error = questionnaires::validationError(item, answer.response, step().alternatives);
+  const auto error = questionnaires::validationError(item, answer.response, alternatives());
   require(!error, error.value_or(""));
   if (item.isIdentifying) {
     storeIdentifying(item, answer);

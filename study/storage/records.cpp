@@ -341,6 +341,20 @@ std::vector<CutRecord> Records::cuts() const {
   return cuts;
 }
 
+std::map<std::pair<SessionId, std::string>, int> Records::unfinishedTrials() const {
+  Statement select(
+      database_,
+      "SELECT s.session_id, s.phase, count(*) FROM step AS s "
+      "WHERE s.kind = 'trial' AND s.position > 0 AND NOT EXISTS "
+      "(SELECT 1 FROM visit AS v WHERE v.session_id = s.session_id AND v.step = s.step "
+      "AND v.status = 'finished') GROUP BY s.session_id, s.phase");
+  std::map<std::pair<SessionId, std::string>, int> trials;
+  while (select.step()) {
+    trials[{SessionId{select.number(0)}, select.text(1)}] = static_cast<int>(select.number(2));
+  }
+  return trials;
+}
+
 Records::Allocation Records::allocation() const {
   Statement select(
       database_,

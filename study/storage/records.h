@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "study/model/given_answer.h"
@@ -115,6 +116,10 @@ class Records {
 
   std::vector<StoredTrial> trials() const;
   std::vector<CutRecord> cuts() const;
+
+  /// The number of trials that were never finished, in each block of a session that has any. In a
+  /// completed session these were skipped, so that not every alternative was felt.
+  std::map<std::pair<SessionId, std::string>, int> unfinishedTrials() const;
 
   /// A labelled alternative ("Alternative 2") of a block in a session.
   struct Alternative {

@@ -27,7 +27,7 @@ questionnaires::Response firstAllowed(const study::Session& session, const Item&
   }
   if (!item.consentOption.empty()) return item.consentOption;
   const bool isAlternative = item.optionSource == questionnaires::OptionSource::Alternatives;
-  return isAlternative ? session.step().alternatives.front() : item.options.front().id;
+  return isAlternative ? session.alternatives().front() : item.options.front().id;
 }
 
 }  // namespace

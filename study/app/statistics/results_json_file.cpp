@@ -219,6 +219,7 @@ ResultJson voteAsJson(const VoteResult& vote) {
     json["wilson"][shares[i].option] = limits(vote.intervals.at(i));
   }
   json["total"] = vote.votes.total();
+  json["left_out"] = vote.leftOut;
   json["p_exact"] = nullable(vote.test.exactP);
   json["reason"] = reasonOf(vote.test.reason);
   return json;

@@ -415,7 +415,7 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
     content.introduction += isLong ? QStringLiteral("\n\n") : QStringLiteral(" ");
   content.introduction += hints.join(QLatin1Char(' '));
   const auto order = feltOrder(session);
-  for (const auto& label : session.step().alternatives) {
+  for (const auto& label : session.alternatives()) {
     const auto place = order.find(label);
     content.choices.alternatives.push_back(
         {.id = label,
