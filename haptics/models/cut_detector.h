@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace haptics::models {
 
@@ -9,8 +10,8 @@ namespace haptics::models {
 ///
 /// feed() gets one pair of travel and force per tick, of a punch or of any tool that is pressed to
 /// the end and released (a stroke of a reamer). A cut is one closure: the travel rises above
-/// `closedAbove`, then falls below `openBelow`. Its landmarks are those of the punch paper, section
-/// II-B:
+/// `closedAbove`, then falls below `openBelow`. What is closed at the first tick has to be opened
+/// first. The landmarks of a cut are those of the punch paper, section II-B:
 ///
 ///     (i)   interception  the load begins to rise
 ///     (ii)  yield         the surface is cut through, and the force falls
@@ -110,6 +111,9 @@ class CutDetector {
   ///                    of such a force is ignored, and the search starts again at the next tick.
   Event feed(Scalar travel, Scalar force, bool isSettling = false) noexcept {
     if (!std::isfinite(travel) || !std::isfinite(force)) return Event::Nothing;
+    if (!std::exchange(hasBegun_, true)) isClosedFromTheStart_ = travel > parameters_.closedAbove;
+    if (isClosedFromTheStart_ && travel >= parameters_.openBelow) return Event::Nothing;
+    isClosedFromTheStart_ = false;
     const Landmark sample{travel, force, true};
     if (isClosed_ && travel < parameters_.openBelow) return complete(sample);
     if (phase_ == Phase::Opened && travel > cut_.largestTravel) resumeClosing();
@@ -300,6 +304,8 @@ class CutDetector {
 
   Parameters parameters_;
   Phase phase_ = Phase::Searching;
+  bool hasBegun_ = false;  ///< whether a tick was processed
+  bool isClosedFromTheStart_ = false;
   bool isClosed_ = false;
   Landmark contactCandidate_;  ///< candidate of the interception
   Landmark highestForce_;  ///< the largest force since the interception, or since the bottom-out

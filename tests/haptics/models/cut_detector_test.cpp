@@ -147,6 +147,17 @@ TEST(CutDetector, CountsNoCutThatWasNotClosed) {
   EXPECT_FALSE(detector.cut().interception.found);
 }
 
+TEST(CutDetector, CountsNoHandThatWasClosedFromTheStart) {
+  const auto opened = path({{10.5, 6}, {0, 0}});
+  Detector detector;
+  EXPECT_TRUE(eventsOf(detector, opened).empty());
+  EXPECT_EQ(detector.completedCuts(), 0U);
+  eventsOf(detector, path({{0, 0}, {10.5, 6}, {0, 0}}));
+  EXPECT_EQ(detector.completedCuts(), 1U) << "it is open now";
+  detector.reset();
+  EXPECT_TRUE(eventsOf(detector, opened).empty()) << "a new trial";
+}
+
 TEST(CutDetector, FindsNoPointsWithoutACut) {
   const Detector::Cut cut = cutAlong({{0.0, 0.0}, {10.5, 0.0}, {0.0, 0.0}});
 
