@@ -505,29 +505,36 @@ QWidget* ParticipantWindow::makeEnd() {
           tr("You do not take part"),
           tr("You need not say why. Please tell the researcher that you have decided."));
     case SessionState::Withdrawn:
-      return makeMessage(
+      return makeThanks(
           tr("You have left the study"), tr("You need not say why. Please tell the researcher."));
-    default:
-      return makeThanks();
+    case SessionState::Completed:
+      return makeThanks(tr("Thank you"), tr("This session is over. Please tell the researcher."));
+    default:  // it may begin again, so nothing is explained
+      return makeThanks(
+          tr("This session has ended"), tr("This session is over. Please tell the researcher."));
   }
 }
 
-/// The thank-you page, with the debrief if the session ended with one.
-QWidget* ParticipantWindow::makeThanks() {
+/// The last page with the participant's code. In a completed session it is the debrief, if the
+/// protocol ends with one.
+QWidget* ParticipantWindow::makeThanks(const QString& title, const QString& now) {
   const auto& session = controller_.session();
   const auto& last = session.plan().back();
-  const auto* debrief =
-      last.kind == StepKind::Reading ? session.protocol().instrument(last.instrument) : nullptr;
+  const bool isCompleted = session.state() == SessionState::Completed;
+  const auto* debrief = isCompleted && last.kind == StepKind::Reading
+                            ? session.protocol().instrument(last.instrument)
+                            : nullptr;
   const auto& texts = session.protocol().protocol.texts;
   const auto written = texts.find("contact");
   const QString contact = written == texts.end() ? QString() : localized(written->second);
   const QString words = debrief == nullptr ? QString() : localized(debrief->introduction);
   const bool isToldWhomToAsk = !words.isEmpty() && (contact.isEmpty() || words.contains(contact));
   return new ThanksPage(
-      {.title = debrief == nullptr ? tr("Thank you") : localized(debrief->title),
-       .now = words.isEmpty() ? tr("This session is over. Please tell the researcher.")
+      {.title = debrief == nullptr ? title : localized(debrief->title),
+       .now = words.isEmpty() ? now
                               : tr("Please leave the instrument where it is, and tell the "
                                    "researcher that you have finished."),
+       .isCompleted = isCompleted,
        .code = QString::fromStdString(session.participant()),
        .debrief = words,
        .contact = isToldWhomToAsk ? QString()

@@ -67,7 +67,7 @@ class ParticipantWindow final : public QWidget {
   QWidget* makeBenchmark();
   QWidget* makeBreak();
   QWidget* makeEnd();
-  QWidget* makeThanks();
+  QWidget* makeThanks(const QString& title, const QString& now);
   QWidget* makeMessage(const QString& title, const QString& words);
   void adjustScale();
   QString localized(const questionnaires::LocalizedText& text) const;

@@ -37,10 +37,12 @@ ThanksPage::ThanksPage(const Content& content, QWidget* parent) : QWidget(parent
   auto* column = addColumn(*inside, ColumnWidth::Page, ColumnIn::Scroll);
   column->addWidget(titleLabel(content.title, inside));
   auto* next = new QHBoxLayout;
-  auto* sign = withRole(hugeLabel(QStringLiteral("✓"), inside), "done");
-  sign->setWordWrap(false);
   next->setSpacing(scaled(*this, 16));
-  next->addWidget(sign);
+  if (content.isCompleted) {
+    auto* sign = withRole(hugeLabel(QStringLiteral("✓"), inside), "done");
+    sign->setWordWrap(false);
+    next->addWidget(sign);
+  }
   next->addWidget(withRole(bodyLabel(content.now, inside), "key"), 1);
   column->addLayout(next);
   column->addWidget(new SideBySide(makeCode(content), makeDebrief(content), this));

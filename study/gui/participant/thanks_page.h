@@ -13,7 +13,8 @@ class ThanksPage final : public QWidget {
  public:
   struct Content {
     QString title;
-    QString now;      ///< what the participant does now
+    QString now;  ///< what the participant does now
+    bool isCompleted = true;
     QString code;     ///< under which the data are saved
     QString debrief;  ///< Markdown; may be empty
     QString contact;  ///< for questions; may be empty
