@@ -30,19 +30,20 @@ void addReasons(std::vector<TrialReasons>& all, std::vector<base::Message> reaso
   }
 }
 
-/// All visits to the trials of completed sessions, and how many trials were never finished.
-std::vector<storage::StoredTrial> trialsOf(
-    const storage::Records& records, RunMode mode, InterruptedTrials& interrupted) {
-  std::set<SessionId> wanted;
+std::set<SessionId> completedSessions(const storage::Records& records, RunMode mode) {
+  std::set<SessionId> completed;
   for (const auto& session : records.sessions()) {
-    if (session.runMode == mode && session.isCompleted()) wanted.insert(session.id);
+    if (session.runMode == mode && session.isCompleted()) completed.insert(session.id);
   }
-  for (const auto& [where, trials] : records.unfinishedTrials()) {
-    if (wanted.contains(where.first)) interrupted.skipped[where.second] += trials;
-  }
+  return completed;
+}
+
+/// All visits to the trials of completed sessions.
+std::vector<storage::StoredTrial> trialsOf(const storage::Records& records, RunMode mode) {
+  const auto completed = completedSessions(records, mode);
   auto trials = records.trials();
   std::erase_if(
-      trials, [&](const auto& trial) { return !wanted.contains(trial.step.visit.session); });
+      trials, [&](const auto& trial) { return !completed.contains(trial.step.visit.session); });
   return trials;
 }
 
@@ -51,7 +52,11 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
   std::map<std::string, SaturatedTrials> saturatedTrials;
   std::map<std::string, ConditionTrials> felt;
   const storage::Records records(study.database());
-  for (const auto& trial : trialsOf(records, mode, quality.interrupted)) {
+  const auto completed = completedSessions(records, mode);
+  for (const auto& [where, trials] : records.unfinishedTrials()) {
+    if (completed.contains(where.first)) quality.interrupted.skipped[where.second] += trials;
+  }
+  for (const auto& trial : trialsOf(records, mode)) {
     const bool isOptional = trial.step.isOptionalRepetition();
     if (!trial.step.isFinished()) {
       if (isOptional) continue;
@@ -155,8 +160,9 @@ std::vector<double> valuesOf(const std::vector<storage::CutRecord>& cuts, Coordi
 std::vector<LandmarkSummary> landmarksOf(Study& study, RunMode mode) {
   const storage::Records records(study.database());
   std::map<VisitKey, storage::StoredTrial> trials;
-  for (auto& trial : countedTrials(records, mode)) {
-    if (!trial.step.isOptionalRepetition()) trials.emplace(trial.step.visit, std::move(trial));
+  for (auto& trial : trialsOf(records, mode)) {
+    const bool counts = trial.step.isFinished() && !trial.step.isOptionalRepetition();
+    if (counts) trials.emplace(trial.step.visit, std::move(trial));
   }
   std::map<std::string, std::vector<storage::CutRecord>> cuts;
   for (const auto& cut : records.cuts()) {
