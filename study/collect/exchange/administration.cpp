@@ -90,9 +90,7 @@ void inTransaction(Connection& server, const Action& action) {
 
 /// The first disagreement between the data of a bundle and the audit trail of its station;
 /// std::nullopt: none.
-std::optional<std::string> problemIn(
-    Connection& server, const std::string& study, const BundleHeader& bundle) {
-  ServerReader reader(server, study, "a bundle is checked");
+std::optional<std::string> problemIn(ServerReader& reader, const BundleHeader& bundle) {
   const auto stations = reader.stations();
   const auto station = std::ranges::find_if(
       stations, [&](const auto& row) { return row.station.uuid == bundle.station; });
@@ -231,6 +229,7 @@ IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& fil
   IngestedBundle taken{
       .station = rows.text(0, 1), .before = rows.number(0, 3), .lastEvent = rows.number(0, 3)};
   const auto study = findStudy(server, rows.text(0, 2));
+  ServerReader reader(server, study.name, "a bundle is checked");  // before the transaction
   ServerAnswer answer;
   const auto take = [&](const auto& text, const auto& chunks) {
     answer = ingest(server, text, chunks);
@@ -251,7 +250,7 @@ IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& fil
   try {
     inTransaction(server, [&] {
       readBundle(file, secretOf(study), rows.text(0, 0), take);
-      if (const auto problem = problemIn(server, study.name, bundle)) {
+      if (const auto problem = problemIn(reader, bundle)) {
         throw InvalidBundle(
             file.string() + " cannot be taken in: " + *problem +
             ". The study was changed on its station, or its disk is damaged: 'palpate study "

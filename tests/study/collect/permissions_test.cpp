@@ -370,6 +370,9 @@ TEST_F(Permissions, AnOperatorSeesTheOwnSiteAlone) {
   ASSERT_EQ(rows.count(), 1);
   EXPECT_EQ(rows.text(0, 0), "oslo_P001");
   EXPECT_EQ(kindOf(server, "SELECT facts FROM palpate.session"), kDenied);
+  const auto own = server.query("SELECT label FROM palpate.station");
+  ASSERT_EQ(own.count(), 1);
+  EXPECT_EQ(own.text(0, 0), "oslo");
   // 'palpate collect status' reads this.
   const auto stations = study::collect::stationsOf(server, "");
   ASSERT_EQ(stations.size(), 1U);
@@ -406,6 +409,44 @@ TEST_F(Permissions, WhoeverPullsGivesAReasonThatIsKept) {
   ASSERT_EQ(kept.count(), 1);
   EXPECT_EQ(kept.text(0, 0), "una");
   EXPECT_EQ(kept.text(0, 1), "the analysis is written");
+}
+
+TEST_F(Permissions, NobodyReadsByAReasonThatCanStillBeTakenBack) {
+  addStation("oslo");
+  runSession("oslo");
+  push("oslo");
+  auto owner = admin();
+  const auto study = study::collect::findStudy(owner, "short").uuid;
+  auto server = as(person("una", "palpate_unblinder"));
+  const auto ticket = "palpate.unblind('" + study + "', 'curious')";
+  for (const char* begin :
+       {"BEGIN; SELECT ",
+        "BEGIN; SAVEPOINT a; SELECT ",
+        "BEGIN ISOLATION LEVEL SERIALIZABLE; SELECT "}) {
+    server.execute(std::string(begin) + ticket + " AS id");
+    const auto id =
+        owner.query("SELECT pg_sequence_last_value('palpate.access_id_seq')").text(0, 0);
+    EXPECT_EQ(kindOf(server, "SELECT * FROM palpate.pull_stations(" + id + ")"), kDenied) << begin;
+    server.execute("ROLLBACK");
+  }
+  EXPECT_EQ(
+      kindOf(server, "SELECT s.* FROM " + ticket + " AS t, palpate.pull_stations(t) AS s"),
+      kDenied);
+  EXPECT_TRUE(owner.query("SELECT FROM palpate.access").isEmpty());
+  const auto kept = server.query("SELECT " + ticket).text(0, 0);
+  EXPECT_EQ(server.query("SELECT * FROM palpate.pull_stations($1)", {kept}).count(), 1);
+  server.execute("BEGIN; SELECT pg_current_xact_id()");
+  EXPECT_EQ(server.query("SELECT * FROM palpate.pull_stations($1)", {kept}).count(), 1);
+}
+
+TEST_F(Permissions, ABlankReasonIsNone) {
+  auto owner = admin();
+  const auto study = study::collect::findStudy(owner, "short").uuid;
+  auto server = as(person("una", "palpate_unblinder"));
+  for (const auto* blank : {"", "  ", "\n", " \t\r\n"}) {
+    EXPECT_THROW(server.query("SELECT palpate.unblind($1, $2)", {study, blank}), ServerError);
+  }
+  server.query("SELECT palpate.unblind($1, $2)", {study, " \xC3\xA6"});  // a letter of any language
 }
 
 TEST_F(Permissions, FunctionsOfTheOwnerLookNowhereElse) {
