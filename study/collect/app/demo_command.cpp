@@ -78,12 +78,9 @@ void runStation(
       static_cast<double>(pushed.traceBytes) / 1e6);
 }
 
-int demo(const DemoArguments& arguments) {
+/// In the folder that was made for it.
+int demonstrate(const DemoArguments& arguments) {
   const fs::path out(arguments.out);
-  std::error_code error;
-  if (fs::exists(out, error) || !fs::create_directories(out / "accounts", error)) {
-    throw UserError(arguments.out + " is there already, or cannot be made. Choose another --out.");
-  }
   fmt::print("A private PostgreSQL server is started, which only this account can reach …\n");
   const PrivateServer postgres;
   {
@@ -109,6 +106,20 @@ int demo(const DemoArguments& arguments) {
   fmt::print(
       "It compares the sites. Next: palpate stats run {} --run-mode simulated\n", all.string());
   return isSound ? 0 : 1;
+}
+
+int demo(const DemoArguments& arguments) {
+  const fs::path out(arguments.out);
+  std::error_code error;
+  if (fs::exists(out, error) || !fs::create_directories(out / "accounts", error)) {
+    throw UserError(arguments.out + " is there already, or cannot be made. Choose another --out.");
+  }
+  try {
+    return demonstrate(arguments);
+  } catch (...) {
+    fs::remove_all(out, error);
+    throw;
+  }
 }
 
 }  // namespace

@@ -138,6 +138,7 @@ PrivateServer::PrivateServer(Disk disk) {
   try {
     if (status != 0) failToStart(log);
     set("listen_addresses", "");
+    set("port", std::to_string(port_));  // and not PGPORT
     set("unix_socket_directories", folder_.string());
     set("fsync", disk == Disk::WithFsync ? "on" : "off");
     set("log_line_prefix", "%m [%p] %q%u@%d %h ");  // shows whose requests were denied

@@ -18,10 +18,10 @@ class CollectProgram : public tests::CollectTest {
       std::vector<std::string> words, int status = 0, const std::string& account = "account") {
     const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
     words.insert(words.begin(), folder / "palpate-collect");
-    const auto finished = tests::run(
-        words,
-        {"PALPATE_SERVER=" + postgres().server(database()),
-         "PALPATE_STATION=" + (scratch_ / account)});
+    auto environment = environment_;
+    environment.push_back("PALPATE_SERVER=" + postgres().server(database()));
+    environment.push_back("PALPATE_STATION=" + (scratch_ / account));
+    const auto finished = tests::run(words, environment);
     EXPECT_EQ(finished.status, status) << words.at(1) << ": " << finished.error;
     return finished.out + finished.error;
   }
@@ -35,6 +35,8 @@ class CollectProgram : public tests::CollectTest {
   static void expectWords(const std::string& said, const std::string& words) {
     EXPECT_NE(said.find(words), std::string::npos) << said;
   }
+
+  std::vector<std::string> environment_;  ///< of the program
 };
 
 TEST_F(CollectProgram, EnrolsByAMarkAndShowsWhatWasRefused) {
@@ -246,6 +248,7 @@ TEST_F(CollectProgram, BringsABundleToTheServerAndEverythingBack) {
 
 TEST_F(CollectProgram, DemonstratesAllOfItOnThisComputerAlone) {
   const auto out = scratch_ / "sites";
+  environment_ = {"PGPORT=54321"};  // of another server
   const auto said = call({"demo", "--out", out, "--participants", "1"});
   expectWords(said, "has 4 sessions of 4 stations, and is sound");
   const auto report = tests::contentOf(out + "/report.html");
@@ -253,6 +256,14 @@ TEST_F(CollectProgram, DemonstratesAllOfItOnThisComputerAlone) {
     EXPECT_NE(report.find(site), std::string::npos) << site;
   }
   expectWords(call({"demo", "--out", out}, 1), "is there already");
+  EXPECT_TRUE(std::filesystem::exists(out + "/report.html"));
+}
+
+TEST_F(CollectProgram, LeavesNothingOfADemonstrationThatFails) {
+  const auto out = scratch_ / "sites";
+  environment_ = {"PATH=/nowhere"};  // no server can be started
+  call({"demo", "--out", out}, 1);
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 }  // namespace program_test
