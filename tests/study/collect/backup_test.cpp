@@ -14,18 +14,29 @@ using study::collect::PrivateServer;
 class Backups : public tests::CollectTest {
  protected:
   /// Runs one of PostgreSQL's own programs on a server.
-  static void run(
-      const PrivateServer& server, const std::string& name, std::vector<std::string> arguments) {
+  static tests::Finished finished(
+      const PrivateServer& server,
+      const std::string& name,
+      std::vector<std::string> arguments,
+      const std::string& user) {
     std::filesystem::path newest;
     for (const auto& entry : std::filesystem::directory_iterator("/usr/lib/postgresql")) {
       if (std::filesystem::exists(entry.path() / "bin" / name)) newest = entry.path() / "bin";
     }
     arguments.insert(arguments.begin(), newest / name);
-    const auto finished = tests::run(
+    return tests::run(
         arguments,
         {"PGHOST=" + server.folder().string(),
          "PGPORT=" + std::to_string(server.port()),
-         "PGUSER=postgres"});
+         "PGUSER=" + user});
+  }
+
+  static void run(
+      const PrivateServer& server,
+      const std::string& name,
+      const std::vector<std::string>& arguments,
+      const std::string& user = "postgres") {
+    const auto finished = Backups::finished(server, name, arguments, user);
     ASSERT_EQ(finished.status, 0) << name << ": " << finished.error;
   }
 };
@@ -37,12 +48,22 @@ TEST_F(Backups, ADumpAndItsRolesMakeTheSameServerElsewhere) {
   runSession("bergen");
   push("oslo");
   push("bergen");
-  run(postgres(), "pg_dumpall", {"--roles-only", "--file", scratch_ / "roles.sql"});
-  run(postgres(), "pg_dump", {"--format=custom", "--file", scratch_ / "study.dump", database()});
+  // By an account that is no superuser, whatever a station left in the database.
+  const auto keeper = "keeper_" + database();
+  admin().execute("CREATE ROLE " + keeper + " LOGIN IN ROLE palpate_owner");
+  as("station_oslo").execute("SELECT lo_creat(1)");
+  const std::vector<std::string> whole{
+      "--format=custom", "--file", scratch_ / "study.dump", database()};
+  EXPECT_NE(finished(postgres(), "pg_dump", whole, keeper).status, 0) << "the control";
+  auto ofSchema = whole;
+  ofSchema.emplace_back("--schema=palpate");
+  run(postgres(), "pg_dump", ofSchema, keeper);
+  const auto roles = scratch_ / "roles.sql";
+  run(postgres(), "pg_dumpall", {"--roles-only", "--no-role-passwords", "--file", roles}, keeper);
 
   const PrivateServer other(PrivateServer::Disk::WithoutFsync);
   // The superuser is there already, which psql says and passes over.
-  run(other, "psql", {"--quiet", "--file", scratch_ / "roles.sql", "postgres"});
+  run(other, "psql", {"--quiet", "--file", roles, "postgres"});
   run(other, "createdb", {"study"});
   run(other, "pg_restore", {"--exit-on-error", "--dbname", "study", scratch_ / "study.dump"});
 
@@ -65,7 +86,9 @@ TEST_F(Backups, WhatCameAfterTheDumpIsSentAgain) {
   addStation("oslo");
   simulate("oslo", 1);
   push("oslo");
-  run(postgres(), "pg_dump", {"--format=custom", "--file", scratch_ / "study.dump", database()});
+  run(postgres(),
+      "pg_dump",
+      {"--schema=palpate", "--format=custom", "--file", scratch_ / "study.dump", database()});
   runSession("oslo");
   push("oslo");
 
