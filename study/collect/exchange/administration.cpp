@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/joined.h"
 #include "study/collect/exchange/bundle.h"
 #include "study/collect/exchange/enrolment.h"
 #include "study/collect/exchange/protocol_files.h"
@@ -163,12 +164,6 @@ std::optional<std::string> logPrivacyProblem(Connection& server) {
   const auto shown = [&](const char* setting) {
     return server.query("SELECT current_setting($1)", {setting}).text(0, 0);
   };
-  const auto prefix = shown("log_line_prefix");
-  const auto level = shown("log_min_error_statement");
-  const bool namesRoles = prefix.find("%u") != std::string::npos;
-  const bool hasErrors = level != "fatal" && level != "panic" && level != "log" &&
-                         shown("log_min_messages") != "fatal" &&
-                         shown("log_min_messages") != "panic";
   const bool logsStatements = shown("log_statement") == "all" || shown("log_statement") == "mod" ||
                               shown("log_min_duration_statement") != "-1" ||
                               shown("log_min_duration_sample") != "-1" ||
@@ -177,11 +172,25 @@ std::optional<std::string> logPrivacyProblem(Connection& server) {
     return "This server logs statements with what stations send, content keys among it. In "
            "postgresql.conf: log_parameter_max_length = 0.";
   }
-  if (namesRoles && hasErrors) return std::nullopt;
-  return "What this server denies to a role is not in its log with the role's name and the "
-         "statement. In postgresql.conf: log_line_prefix = '%m [%p] %q%u@%d %h ', log_min_messages "
-         "= warning, log_min_error_statement = error, log_connections = on, "
-         "log_parameter_max_length = 0.";
+  std::vector<std::string> missing;
+  const auto prefix = shown("log_line_prefix");
+  if (prefix.find("%u") == std::string::npos || prefix.find("%h") == std::string::npos) {
+    missing.emplace_back("log_line_prefix = '%m [%p] %q%u@%d %h '");
+  }
+  const auto connections = shown("log_connections");
+  if (connections.empty() || connections == "off") missing.emplace_back("log_connections = on");
+  const auto lacksErrors = [&](const char* setting) {
+    const auto level = shown(setting);
+    return level == "log" || level == "fatal" || level == "panic";
+  };
+  if (lacksErrors("log_min_messages")) missing.emplace_back("log_min_messages = warning");
+  if (lacksErrors("log_min_error_statement")) {
+    missing.emplace_back("log_min_error_statement = error");
+  }
+  if (missing.empty()) return std::nullopt;
+  return "The server's log does not say who was denied what, and from which computer. In "
+         "postgresql.conf: " +
+         base::joined(missing, ", ") + ".";
 }
 
 EnrolledStation enrolStation(Connection& server, const EnrolmentRequest& request) {

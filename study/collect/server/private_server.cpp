@@ -142,6 +142,7 @@ PrivateServer::PrivateServer(Disk disk) {
     set("unix_socket_directories", folder_.string());
     set("fsync", disk == Disk::WithFsync ? "on" : "off");
     set("log_line_prefix", "%m [%p] %q%u@%d %h ");  // shows whose requests were denied
+    set("log_connections", "on");
     start();
   } catch (...) {
     stop(Stop::Immediate);

@@ -183,7 +183,19 @@ TEST_F(CollectProgram, SaysWhatTheServersLogIsMissing) {
   admin().execute("ALTER DATABASE " + database() + " SET log_parameter_max_length = 0");
   EXPECT_EQ(call(words).find("log_parameter_max_length"), std::string::npos);
   admin().execute("ALTER DATABASE " + database() + " SET log_min_error_statement = 'panic'");
-  expectWords(call(words), "log_line_prefix");
+  expectWords(call(words), "postgresql.conf: log_min_error_statement = error.\n");
+}
+
+TEST_F(CollectProgram, NamesEachSettingThatADebianServersLogIsMissing) {
+  using study::collect::Connection;
+  study::collect::PrivateServer debian(study::collect::PrivateServer::Disk::WithoutFsync);
+  debian.set("log_line_prefix", "%m [%p] %q%u@%d ");
+  debian.set("log_connections", "off");
+  debian.stop();
+  debian.start();
+  expectWords(
+      call({"init", "--server", debian.server()}),
+      "postgresql.conf: log_line_prefix = '%m [%p] %q%u@%d %h ', log_connections = on.\n");
 }
 
 TEST_F(CollectProgram, BringsABundleToTheServerAndEverythingBack) {
