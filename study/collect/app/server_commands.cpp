@@ -37,20 +37,28 @@ struct ServerArguments {
 
 int addStudyOrProtocol(Connection& server, const ServerArguments& arguments) {
   const auto protocol = app::loadValidProtocol(arguments.protocol);
-  const bool isNew = addStudyOrVersion(server, arguments.study, protocol, arguments.seed);
-  if (isNew) {
-    fmt::print(
-        "'{}' is on the server: \"{}\".\nNext: on each station 'palpate collect key', and here "
-        "palpate collect init --study {} --station FILE --site SITE --key KEY\n",
-        arguments.study,
-        protocol.protocol.study.title,
-        arguments.study);
-  } else {
-    fmt::print(
-        "{} is a version of the protocol of '{}' now. Stations take it over with 'palpate study "
-        "amend'; new stations begin with it.\n",
-        arguments.protocol,
-        arguments.study);
+  switch (addStudyOrVersion(server, arguments.study, protocol, arguments.seed)) {
+    case AddedToServer::Study:
+      fmt::print(
+          "'{}' is on the server: \"{}\".\nNext: on each station 'palpate collect key', and here "
+          "palpate collect init --study {} --station FILE --site SITE --key KEY\n",
+          arguments.study,
+          protocol.protocol.study.title,
+          arguments.study);
+      break;
+    case AddedToServer::Version:
+      fmt::print(
+          "{} is a version of the protocol of '{}' now. Stations take it over with 'palpate study "
+          "amend'; new stations begin with it.\n",
+          arguments.protocol,
+          arguments.study);
+      break;
+    case AddedToServer::Nothing:
+      fmt::print(
+          "'{}' has this version of {} already. Nothing is to be done at the stations.\n",
+          arguments.study,
+          arguments.protocol);
+      break;
   }
   return 0;
 }

@@ -115,7 +115,7 @@ std::optional<std::string> problemIn(ServerReader& reader, const BundleHeader& b
 
 }  // namespace
 
-bool addStudyOrVersion(
+AddedToServer addStudyOrVersion(
     Connection& server,
     const std::string& name,
     const protocols::LoadedProtocol& protocol,
@@ -142,7 +142,7 @@ bool addStudyOrVersion(
           {uuid, protocol.protocol.study.title});
       replaceBackground(server, uuid, backgroundOf(protocol));
     });
-    return false;
+    return present.sha256 == sent.sha256 ? AddedToServer::Nothing : AddedToServer::Version;
   }
   const auto drawn = seed ? *seed : protocol.protocol.seed.value_or(randomSeed());
   const auto secret = storage::BlindingSecret::drawn();
@@ -157,7 +157,7 @@ bool addStudyOrVersion(
     addProtocol(server, study.uuid, sent);
     replaceBackground(server, study.uuid, backgroundOf(protocol));
   });
-  return true;
+  return AddedToServer::Study;
 }
 
 std::optional<std::string> logPrivacyProblem(Connection& server) {

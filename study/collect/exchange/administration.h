@@ -12,10 +12,11 @@
 
 namespace study::collect {
 
+enum class AddedToServer { Study, Version, Nothing };
 /// Makes a study on the server. If the study exists, the protocol is added as its newest version.
-/// @return  whether the study was made
+/// @return  what was made; Nothing: the study has this version already
 /// @throws UserError  if the name is not valid. @throws ServerError
-bool addStudyOrVersion(
+AddedToServer addStudyOrVersion(
     Connection& server,
     const std::string& name,
     const protocols::LoadedProtocol& protocol,

@@ -198,6 +198,15 @@ TEST_F(CollectProgram, NamesEachSettingThatADebianServersLogIsMissing) {
       "postgresql.conf: log_line_prefix = '%m [%p] %q%u@%d %h ', log_connections = on.\n");
 }
 
+TEST_F(CollectProgram, SaysThatAProtocolIsThereAlready) {
+  const auto protocol = scratch_.write("protocol.json", tests::shortProtocol());
+  const std::vector<std::string> words{"init", "--study", "realism", "--protocol", protocol};
+  expectWords(call(words), "is on the server");
+  const auto said = call(words);
+  expectWords(said, "'realism' has this version of");
+  EXPECT_EQ(said.find("amend"), std::string::npos) << said;
+}
+
 TEST_F(CollectProgram, BringsABundleToTheServerAndEverythingBack) {
   const std::string oslo = "account-oslo";
   const auto folder = folderOf("oslo");

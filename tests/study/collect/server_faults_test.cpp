@@ -297,7 +297,10 @@ TEST_F(ServerFaults, AStationThatIsEnrolledAfterTheProtocolWasChangedHasTheNewes
   text.replace(text.find(version), version.size(), R"("version": "2")");
   const auto newest = tests::protocolFrom(text);
   auto owner = admin();
-  EXPECT_FALSE(study::collect::addStudyOrVersion(owner, "short", newest, std::nullopt));
+  using Added = study::collect::AddedToServer;
+  const auto add = [&] { return study::collect::addStudyOrVersion(owner, "short", newest, {}); };
+  EXPECT_EQ(add(), Added::Version);
+  EXPECT_EQ(add(), Added::Nothing);
   addStation("bergen");
   runSession("bergen");
   push("bergen");
