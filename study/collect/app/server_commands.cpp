@@ -107,6 +107,7 @@ int init(const ServerArguments& arguments) {
   if (before > 0 && before < newestSchema()) {
     fmt::print("The schema palpate is brought from version {} to {}.\n", before, newestSchema());
   }
+  if (const auto advice = closeDatabase(server)) fmt::print("{}\n", *advice);
   if (const auto problem = logPrivacyProblem(server)) fmt::print("{}\n", *problem);
   if (isOfSchemaAlone) {
     if (before == newestSchema()) fmt::print("The schema palpate has version {}.\n", before);

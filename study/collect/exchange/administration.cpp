@@ -160,6 +160,30 @@ AddedToServer addStudyOrVersion(
   return AddedToServer::Study;
 }
 
+std::optional<std::string> closeDatabase(Connection& server) {
+  const auto database = server.query("SELECT quote_ident(current_database())").text(0, 0);
+  std::string left;
+  const auto takeAway = [&](const std::string& isOpen, const std::string& revoke) {
+    const auto isStillOpen = [&] { return server.query("SELECT " + isOpen).text(0, 0) == "t"; };
+    if (!isStillOpen()) return;
+    server.execute(revoke);  // a warning, and no error, where this account may not
+    if (isStillOpen()) left += " " + revoke + ";";
+  };
+  takeAway(
+      "has_database_privilege('public', current_database(), 'TEMPORARY')",
+      "REVOKE TEMPORARY ON DATABASE " + database + " FROM PUBLIC");
+  for (const std::string& name : std::vector<std::string>{
+           "lo_creat(integer)", "lo_create(oid)", "lo_from_bytea(oid, bytea)"}) {
+    takeAway(
+        "has_function_privilege('public', '" + name + "', 'EXECUTE')",
+        "REVOKE EXECUTE ON FUNCTION " + name + " FROM PUBLIC");
+  }
+  if (left.empty()) return std::nullopt;
+  return "Every role of this database can fill the server's disk. A superuser ends that in the "
+         "database " +
+         database + ":" + left;
+}
+
 std::optional<std::string> logPrivacyProblem(Connection& server) {
   const auto shown = [&](const char* setting) {
     return server.query("SELECT current_setting($1)", {setting}).text(0, 0);

@@ -22,8 +22,14 @@ AddedToServer addStudyOrVersion(
     const protocols::LoadedProtocol& protocol,
     std::optional<std::uint64_t> seed);
 
+/// Takes away what every role of a database may do and none of ours has to: make temporary tables
+/// and large objects, with which a station can fill the server's disk.
+/// @return  advice, with what a superuser enters, if this account may not take it away
+/// @throws ServerError
+std::optional<std::string> closeDatabase(Connection& server);
+
 /// Advice for the administrator, with the settings to change, if the server's log does not show
-/// whose requests were denied; std::nullopt if it does.
+/// whose requests were denied, and from where; std::nullopt if it does.
 /// @throws ServerError
 std::optional<std::string> logPrivacyProblem(Connection& server);
 

@@ -198,6 +198,29 @@ TEST_F(CollectProgram, NamesEachSettingThatADebianServersLogIsMissing) {
       "postgresql.conf: log_line_prefix = '%m [%p] %q%u@%d %h ', log_connections = on.\n");
 }
 
+TEST_F(CollectProgram, InitTakesFromAllRolesWhatFillsTheServersDisk) {
+  addStation("oslo");
+  const std::vector<std::string> statements{
+      "CREATE TEMPORARY TABLE large ()",
+      "SELECT lo_creat(1)",
+      "SELECT lo_create(0)",
+      "SELECT lo_from_bytea(0, '')"};
+  auto station = as("station_oslo");
+  for (const auto& statement : statements) station.execute(statement);  // the control
+  admin().execute(fmt::format(
+      "CREATE ROLE guest_{0} LOGIN IN ROLE palpate_owner; GRANT CREATE ON DATABASE {0} TO "
+      "guest_{0}",
+      database()));
+  const auto asGuest = way(database()) + " user=guest_" + database();
+  expectWords(call({"init", "--server", asGuest}), "can fill the server's disk");
+  EXPECT_EQ(call({"init"}).find("can fill"), std::string::npos);
+  EXPECT_EQ(call({"init", "--server", asGuest}).find("can fill"), std::string::npos);
+  for (const auto& statement : statements) {
+    EXPECT_THROW(station.execute(statement), study::collect::ServerError) << statement;
+  }
+  push("oslo");  // needs none of it
+}
+
 TEST_F(CollectProgram, SaysThatAProtocolIsThereAlready) {
   const auto protocol = scratch_.write("protocol.json", tests::shortProtocol());
   const std::vector<std::string> words{"init", "--study", "realism", "--protocol", protocol};
