@@ -68,7 +68,7 @@ Kind kindOf(std::string_view state, bool isConnected) {
 }
 
 /// Messages of libpq and OpenSSL on failed logins, and what to tell the operator. They are always
-/// English, while messages of a server are in its own language.
+/// English, while messages of a server are in its own language: of those, the SQLSTATE.
 struct LoginProblem {
   std::string_view pattern;
   std::string_view words;
@@ -114,6 +114,9 @@ constexpr std::array kLoginProblems{
     LoginProblem{"server does not support SSL", "The server cannot encrypt."},
     LoginProblem{
         "no password supplied", "A password is needed, and ~/.pgpass has none for this server."},
+    LoginProblem{
+        "28P01",
+        "The server has another password for this role, or none: look at the line in ~/.pgpass."},
     LoginProblem{"SSL error", "The encryption does not come about."}};
 
 /// The text for the operator; empty if @p said contains no known message.
@@ -307,7 +310,7 @@ Connection::Connection(const std::string& server, const std::string& user) {
 /// code. Connects once more with messages that consist of the SQLSTATE.
 void Connection::connectAgain() {
   auto* connection = connection_.get();
-  const auto said = sentence(PQerrorMessage(connection));
+  auto said = sentence(PQerrorMessage(connection));
   const bool serverSpoke = !sqlStateIn(said).empty();
   auto kind = loginProblemIn(said).empty() ? Kind::Unreachable : Kind::LoginRefused;
   if (serverSpoke) {
@@ -315,7 +318,9 @@ void Connection::connectAgain() {
     PQreset(connection);
     PQsetErrorVerbosity(connection, PQERRORS_DEFAULT);
     if (PQstatus(connection) == CONNECTION_OK) return;
-    kind = kindOf(sqlStateIn(sentence(PQerrorMessage(connection))), true);
+    const auto state = sqlStateIn(sentence(PQerrorMessage(connection)));
+    kind = kindOf(state, true);
+    if (kind == Kind::LoginRefused) said += " (" + state + ")";
   }
   throw ServerError(kind, wordsFor(kind, description(), said));
 }

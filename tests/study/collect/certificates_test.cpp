@@ -215,6 +215,30 @@ TEST_F(Certificates, OfTheStationLetItInAndNothingElseDoes) {
   EXPECT_EQ(contentOfServer(), before);
 }
 
+TEST_F(Certificates, HaveNoPartInAWrongPasswordWhichIsSaidInWords) {
+  std::ofstream(postgres().folder() / "data" / "pg_hba.conf", std::ios::app)
+      << "hostnossl all all 127.0.0.1/32 scram-sha-256\n";
+  admin().execute("ALTER ROLE station_oslo PASSWORD 'right'; SELECT pg_reload_conf()");
+  const auto way = [&](const std::string& password) {
+    const auto file = scratch_.write("pgpass", "*:*:*:*:" + password + "\n");
+    EXPECT_EQ(chmod(file.c_str(), S_IRUSR | S_IWUSR), 0);
+    return server("sslmode=disable passfile=" + file);
+  };
+  const auto isReloaded = [&] {
+    try {
+      pushOver("oslo", way("right"));
+      return true;
+    } catch (const ServerError&) {
+      return false;
+    }
+  };
+  for (int i = 0; i < 200 && !isReloaded(); ++i) usleep(50'000);
+  const auto said = refusal(way("wrong"));
+  expectWords(said, "The server has another password for this role, or none");
+  expectWords(said, "(28P01)");
+  admin().execute("ALTER ROLE station_oslo PASSWORD NULL");
+}
+
 TEST(Passwords, HaveNoPlaceInAnAddress) {
   for (const auto* address :
        {"host=x password=secret",
