@@ -43,6 +43,7 @@ ControlPanel::ControlPanel(QWidget* parent)
       cohort_(quietLabel({}, this)),
       stop_(new QPushButton(tr("STOP the force"), this)),
       state_(new StateLine(this)),
+      saveTrial_(new QPushButton(tr("Save the trial"), this)),
       resume_(new QPushButton(tr("Continue"), this)),
       interviewDone_(new QPushButton(tr("Interview done"), this)),
       countCut_(new QPushButton(tr("Count a cut (F9)"), this)),
@@ -91,8 +92,9 @@ QWidget* ControlPanel::makeButtons() {
           MessageTopic::PauseSession,
           &SessionController::pause);
   countCut_->setToolTip(tr("The participant has made a cut with the real instrument"));
-  // One of "Pause…" and "Continue" is shown, and at most one of the other two.
-  now_ = addGroup(tr("Now"), {{pause_, resume_, interviewDone_, countCut_}, {repeat, skip}});
+  // At most one of "Save the trial", "Pause…" and "Continue" is shown, and of the other two.
+  now_ = addGroup(
+      tr("Now"), {{saveTrial_, pause_, resume_, interviewDone_, countCut_}, {repeat, skip}});
   addGroup(tr("Session"), {{handOver_, consent_}, {close_}});
   const auto withdraw =
       add(tr("Participant withdraws…"),
@@ -148,6 +150,9 @@ void ControlPanel::takeSteps(QWidget& steps) {
 void ControlPanel::connectButtons() {
   connect(stop_, &QPushButton::clicked, this, [this] {
     if (controller_ != nullptr) controller_->stop();
+  });
+  connect(saveTrial_, &QPushButton::clicked, this, [this] {
+    if (controller_ != nullptr) controller_->saveTrial();
   });
   connect(resume_, &QPushButton::clicked, this, [this] {
     if (controller_ != nullptr) controller_->resume();
@@ -245,12 +250,14 @@ void ControlPanel::refresh() {
   const bool isPaused = mayDo(SessionEvent::ResumedSession);
   const bool mayFinish = mayDo(SessionEvent::FinishedStep);
   const auto kind = mayFinish ? controller_->session().step().kind : StepKind::Reading;
+  const bool isUnsaved = isOpen && controller_->isTrialUnsaved();
+  saveTrial_->setVisible(isUnsaved);
   resume_->setVisible(isPaused);
   interviewDone_->setVisible(mayFinish && kind == StepKind::Interview);
   countCut_->setVisible(mayFinish && kind == StepKind::Benchmark);
   const bool isInSteps =
       isPaused || mayDo(SessionEvent::PausedSession) || mayDo(SessionEvent::SkippedStep);
-  now_->setVisible(isRunning || isInSteps);
+  now_->setVisible(isRunning || isUnsaved || isInSteps);
   now_->setText(
       isRunning ? tr("To repeat, skip or pause, STOP first or wait for the trial's end.")
                 : tr("Now"));

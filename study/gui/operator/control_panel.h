@@ -76,6 +76,7 @@ class ControlPanel final : public QWidget {
   QLabel* ends_ = nullptr;  ///< the heading of what ends the session
   QVBoxLayout* buttons_ = nullptr;
   QPushButton* pause_ = nullptr;
+  QPushButton* saveTrial_;
   QPushButton* resume_;
   QPushButton* interviewDone_;
   QPushButton* countCut_;

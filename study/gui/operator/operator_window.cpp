@@ -429,7 +429,7 @@ void OperatorWindow::showInterview() {
 
 void OperatorWindow::endSession() {
   if (!controller_ || controller_->isTrialRunning()) return;
-  if (!controller_->savePendingAnswers() && !ask(this, MessageTopic::CloseWithLoss)) return;
+  if (!controller_->savePending() && !ask(this, MessageTopic::CloseWithLoss)) return;
   trial_->setController(nullptr);
   controls_->setController(nullptr);
   steps_->show(nullptr);

@@ -40,6 +40,9 @@ void StateLine::showState(const SessionController* controller) {
   if (session.state() == SessionState::Interrupted) {
     return show(tr("✖ trial broke off: no force"), Health::Bad);
   }
+  if (controller->isTrialUnsaved()) {
+    return show(tr("✖ trial not saved: no force"), Health::Bad);
+  }
   const QString device = controller->deviceName();
   if (!isRunning) {
     const auto waits = tr("%1: no force yet").arg(device);

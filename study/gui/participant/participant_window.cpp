@@ -354,7 +354,8 @@ QWidget* ParticipantWindow::makePage() {
     next_->setVisible(false);
     return makeEnd();
   }
-  if (session.state() == SessionState::Paused || session.state() == SessionState::Interrupted) {
+  if (session.state() == SessionState::Paused || session.state() == SessionState::Interrupted ||
+      controller_.isTrialUnsaved()) {
     next_->setVisible(false);
     return makeMessage(tr("One moment, please"), tr("The researcher will go on in a moment."));
   }

@@ -35,20 +35,20 @@ bool SessionController::tryTo(Action&& action) {
   }
 }
 
-bool SessionController::savePendingAnswers() {
-  isAllSaved_ = true;
+bool SessionController::savePending() {
+  isAllSaved_ = saveTrial();
   emit aboutToLeave();
   return isAllSaved_;
 }
 
 template <typename Action>
 void SessionController::leaveStep(Action&& action) {
-  if (savePendingAnswers() && tryTo(std::forward<Action>(action))) emit stepChanged();
+  if (savePending() && tryTo(std::forward<Action>(action))) emit stepChanged();
 }
 
 template <typename Action>
 void SessionController::endSession(Action&& action) {
-  savePendingAnswers();
+  savePending();
   if (tryTo(std::forward<Action>(action))) emit stepChanged();
 }
 
@@ -119,6 +119,7 @@ void SessionController::beginTrial() {
   });
   if (!isRunning) {
     trial_.reset();
+    saveTrial();
     return;
   }
   isReamerOn_ = true;
@@ -166,18 +167,31 @@ void SessionController::stop() {
 
 void SessionController::endTrial(TrialEnding ending) {
   watch_.stop();
-  TrialRecord record = liveTrial_->finish(ending);
-  record.view = viewReport();
+  unsaved_ = liveTrial_->finish(ending);
+  unsaved_->view = viewReport();
   liveTrial_.reset();
-  tryTo([&] {
+  trial_.reset();
+  saveTrial();
+}
+
+bool SessionController::saveTrial() {
+  if (!isTrialUnsaved()) return true;
+  // Without a record, the trial failed to begin.
+  const auto record = unsaved_.value_or(TrialRecord{.ending = TrialEnding::TraceLost});
+  QString why;
+  try {
     if (record.ending == TrialEnding::Finished) {
       session_.finishTrial(record);
     } else {
       session_.abortTrial(record);
     }
-  });
-  trial_.reset();
-  emit stepChanged();
+  } catch (const std::exception& error) {
+    why = deskText(error);
+  }
+  if (!isTrialUnsaved()) unsaved_.reset();
+  emit stepChanged();  // first: the message waits for its reader
+  if (!why.isEmpty()) emit failed(why);
+  return !isTrialUnsaved();
 }
 
 void SessionController::repeatStep(const QString& reason) {
@@ -228,7 +242,7 @@ bool SessionController::noteForcesShown(bool areShown) {
 }
 
 void SessionController::chooseLanguage(const QString& language) {
-  if (savePendingAnswers() && tryTo([&] { session_.setLanguage(language.toStdString()); }))
+  if (savePending() && tryTo([&] { session_.setLanguage(language.toStdString()); }))
     emit languageChanged();
 }
 

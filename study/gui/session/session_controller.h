@@ -38,6 +38,10 @@ class SessionController final : public QObject {
   const Session& session() const noexcept { return session_; }
   Session& session() noexcept { return session_; }
   bool isTrialRunning() const noexcept { return liveTrial_ != nullptr; }
+  /// Whether a trial has ended and could not be saved; saveTrial() tries again.
+  bool isTrialUnsaved() const noexcept {
+    return !isTrialRunning() && session_.state() == SessionState::InTrial;
+  }
   LiveTrial::Status trialStatus() const {
     return liveTrial_ ? liveTrial_->status() : LiveTrial::Status{};
   }
@@ -74,9 +78,9 @@ class SessionController final : public QObject {
   };
   std::vector<Note> notes() const;
 
-  /// Asks the page of the current step to emit its unsaved answers, and saves them.
+  /// Saves an unsaved trial, and the answers that the page of the current step still holds.
   /// @return whether all were saved; failed() was emitted for each that was not.
-  bool savePendingAnswers();
+  bool savePending();
 
  public slots:
   void answer(const study::GivenAnswer& answer);
@@ -93,6 +97,9 @@ class SessionController final : public QObject {
   void toggleReamer();
   /// Switches the force off at once and breaks the trial off.
   void stop();
+  /// Saves a trial that has ended. If that fails, the trial stays unsaved.
+  /// @return whether no trial is unsaved any more.
+  bool saveTrial();
   void repeatStep(const QString& reason);
   void skipStep(const QString& reason);
   void pause(const QString& reason);
@@ -141,10 +148,11 @@ class SessionController final : public QObject {
   std::optional<storage::TraceStore> traces_;
   std::unique_ptr<Trial> trial_;
   std::unique_ptr<LiveTrial> liveTrial_;  // declared after the trial, so that it is destroyed first
+  std::optional<TrialRecord> unsaved_;    ///< of the trial that has ended, until it is saved
   QPointer<scene::SimulationView> view_;
   QTimer watch_;
   bool isReamerOn_ = true;  ///< of the running trial, by toggleReamer()
-  bool isAllSaved_ = true;  ///< of the answers received since the last savePendingAnswers()
+  bool isAllSaved_ = true;  ///< since the last savePending()
 };
 
 }  // namespace study::gui

@@ -359,6 +359,53 @@ TEST_F(OperatorSession, AsksBeforeVirtualDevicesGoOnInPlaceOfAnInstrument) {
   EXPECT_EQ(window_.controller(), nullptr) << "closing the question does not go on";
 }
 
+TEST_F(OperatorSession, KeepsATrialThatCannotBeSavedUntilItCan) {
+  enrol();
+  goTo(StepKind::Trial);
+  participant_.cut(1);
+  QString shown;
+  const auto state = [this] { return window_.findChild<QLabel*>(QStringLiteral("state"))->text(); };
+  {
+    tests::Sql somebodyElse(StudyFiles{study_.folder()}.study());
+    somebodyElse.run("BEGIN IMMEDIATE");
+    const InFront read([&](QWidget& message) {
+      shown = state();
+      message.close();
+      return true;
+    });
+    window_.controller()->stop();
+  }
+  EXPECT_TRUE(shown.contains(QStringLiteral("not saved"))) << "before the message is closed";
+  EXPECT_EQ(buttonSaying(window_.participantWindow(), QStringLiteral("Begin")), nullptr);
+  auto* save = buttonSaying(&window_, QStringLiteral("Save the trial"));
+  ASSERT_NE(save, nullptr);
+  QTest::mouseClick(save, Qt::LeftButton);
+  EXPECT_EQ(session().state(), SessionState::Interrupted);
+  const auto trials = storage::Records(study_.database()).trials();
+  ASSERT_EQ(trials.size(), 1U);
+  EXPECT_EQ(trials.front().ending, TrialEnding::Stopped);
+  EXPECT_GT(trials.front().duration, 0.0);
+  EXPECT_FALSE(save->isVisible());
+  EXPECT_TRUE(state().contains(QStringLiteral("broke off"))) << state().toStdString();
+}
+
+TEST_F(OperatorSession, SavesATrialThatCouldNotBeSavedWhenTheSessionIsClosed) {
+  enrol();
+  goTo(StepKind::Trial);
+  participant_.cut(1);
+  {
+    tests::Sql somebodyElse(StudyFiles{study_.folder()}.study());
+    somebodyElse.run("BEGIN IMMEDIATE");
+    const Reader reader;
+    window_.controller()->stop();
+  }
+  QTest::mouseClick(buttonSaying(&window_, QStringLiteral("Close session")), Qt::LeftButton);
+  EXPECT_EQ(window_.controller(), nullptr);
+  const auto trials = storage::Records(study_.database()).trials();
+  ASSERT_EQ(trials.size(), 1U);
+  EXPECT_EQ(trials.front().ending, TrialEnding::Stopped);
+}
+
 /// A session whose participant's window covers the screen until the PIN 2468.
 class HandedOver : public OperatorSession {
  protected:
