@@ -107,6 +107,12 @@ bool ReservedSpace::release() const noexcept {
   return std::filesystem::remove(file_, ignored);
 }
 
+bool ReservedSpace::isDiskAlmostFull() const noexcept {
+  std::error_code error;
+  const auto space = std::filesystem::space(file_.parent_path(), error);
+  return !take() || (!error && space.available < kSize);
+}
+
 namespace {
 
 constexpr std::array<std::string_view, 1> kSteps{"CREATE TABLE row (words TEXT NOT NULL) STRICT"};

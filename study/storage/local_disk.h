@@ -38,6 +38,9 @@ class ReservedSpace {
   bool take() const noexcept;
   /// Frees the reserved space for the next write; false if none was reserved.
   bool release() const noexcept;
+  /// Reserves the space again if it was freed. Whether the disk has no room for it, or has less
+  /// than that free besides.
+  bool isDiskAlmostFull() const noexcept;
 
  private:
   std::filesystem::path file_;

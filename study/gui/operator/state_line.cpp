@@ -9,12 +9,19 @@
 namespace study::gui {
 
 StateLine::StateLine(QWidget* parent)
-    : QWidget(parent), health_(new QLabel(this)), count_(headingLabel({}, this)) {
+    : QWidget(parent),
+      health_(new QLabel(this)),
+      disk_(bodyLabel(
+          tr("▲ The disk is almost full: free space, or the next trial may break off."), this)),
+      count_(headingLabel({}, this)) {
   health_->setObjectName(QStringLiteral("state"));
   health_->setWordWrap(true);
+  disk_->setObjectName(QStringLiteral("disk"));
+  setRole(*disk_, "warn");
   count_->setObjectName(QStringLiteral("count"));
   auto* layout = withoutMargins<QVBoxLayout>(this, 6);
   layout->addWidget(health_);
+  layout->addWidget(disk_);
   layout->addWidget(count_);
   showState(nullptr);
 }
@@ -28,6 +35,8 @@ void StateLine::show(const QString& words, Health health) {
 void StateLine::showState(const SessionController* controller) {
   const bool isRunning = controller != nullptr && controller->isTrialRunning();
   count_->setVisible(isRunning);
+  // Not during a trial: what is tried here takes room from its samples.
+  if (!isRunning) disk_->setVisible(controller != nullptr && controller->isDiskAlmostFull());
   if (controller == nullptr) return show(tr("no session"), Health::NoForce);
   const auto& session = controller->session();
   if (session.isOver()) {

@@ -8,7 +8,8 @@ namespace study::gui {
 class SessionController;
 
 /// What is felt just now, below the button that stops it: the device and its state, in green while
-/// a trial runs and in red after one broke off, and the strokes of the trial.
+/// a trial runs and in red after one broke off, and the strokes of the trial. Between trials also
+/// whether the disk is almost full.
 class StateLine final : public QWidget {
   Q_OBJECT
 
@@ -27,6 +28,7 @@ class StateLine final : public QWidget {
   void show(const QString& words, Health health);
 
   QLabel* health_;
+  QLabel* disk_;  ///< that the disk is almost full
   QLabel* count_;
 };
 

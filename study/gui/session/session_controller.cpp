@@ -7,6 +7,7 @@
 #include "study/gui/scene/simulation_view.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/session/trial_setup.h"
+#include "study/storage/local_disk.h"
 
 namespace study::gui {
 namespace {
@@ -192,6 +193,10 @@ bool SessionController::saveTrial() {
   emit stepChanged();  // first: the message waits for its reader
   if (!why.isEmpty()) emit failed(why);
   return !isTrialUnsaved();
+}
+
+bool SessionController::isDiskAlmostFull() const {
+  return storage::ReservedSpace(study_.folder()).isDiskAlmostFull();
 }
 
 void SessionController::repeatStep(const QString& reason) {

@@ -42,6 +42,8 @@ class SessionController final : public QObject {
   bool isTrialUnsaved() const noexcept {
     return !isTrialRunning() && session_.state() == SessionState::InTrial;
   }
+  /// Whether the disk may be too full for the next trial.
+  bool isDiskAlmostFull() const;
   LiveTrial::Status trialStatus() const {
     return liveTrial_ ? liveTrial_->status() : LiveTrial::Status{};
   }

@@ -1,4 +1,7 @@
 // The questions, saved answers and messages of the operator's window in a session.
+#include <sys/resource.h>
+
+#include <csignal>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -404,6 +407,25 @@ TEST_F(OperatorSession, SavesATrialThatCouldNotBeSavedWhenTheSessionIsClosed) {
   const auto trials = storage::Records(study_.database()).trials();
   ASSERT_EQ(trials.size(), 1U);
   EXPECT_EQ(trials.front().ending, TrialEnding::Stopped);
+}
+
+TEST_F(OperatorSession, WarnsWhileTheDiskHasNoRoomForTheNextTrial) {
+  enrol();
+  const auto* disk = window_.findChild<QLabel*>(QStringLiteral("disk"));
+  ASSERT_NE(disk, nullptr);
+  EXPECT_FALSE(disk->isVisible());
+  std::filesystem::remove(study_.folder() / "ballast");
+  struct rlimit before {};
+  getrlimit(RLIMIT_FSIZE, &before);
+  auto* handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit tooSmall{1 << 20, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &tooSmall);
+  participant_.doStep();
+  EXPECT_TRUE(disk->isVisible());
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  participant_.doStep();
+  EXPECT_FALSE(disk->isVisible()) << "the space is reserved again";
 }
 
 /// A session whose participant's window covers the screen until the PIN 2468.
