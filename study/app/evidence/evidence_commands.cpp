@@ -106,11 +106,14 @@ int restored(const EvidenceArguments& options) {
 }
 
 std::string detailOf(const storage::Event& event) {
+  static const std::string kCommitment = "commitment";
   std::string words = event.detail;
   for (const auto& [name, value] : event.values) {
     const auto text =
         std::visit([](const auto& stored) { return fmt::format("{}", stored); }, value);
-    if (!text.empty()) words += (words.empty() ? "" : ", ") + name + ": " + text;
+    // The event that a study was made has the commitment under another name.
+    const auto& label = name == "secret" ? kCommitment : name;
+    if (!text.empty()) words += (words.empty() ? "" : ", ") + label + ": " + text;
   }
   return words;
 }

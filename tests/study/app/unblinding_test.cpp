@@ -69,6 +69,8 @@ TEST_F(UnblindingTest, IsListedWithItsReasonByStudyTrail) {
   EXPECT_EQ(trail.status, 0) << trail.error;
   EXPECT_NE(trail.out.find("unblinded_report   plan signed\n"), std::string::npos) << trail.out;
   EXPECT_EQ(trail.out.find("answered"), std::string::npos) << "of a session";
+  EXPECT_NE(trail.out.find(", commitment: " + study_->events().commitment()), std::string::npos);
+  EXPECT_EQ(trail.out.find("secret"), std::string::npos) << "what it shows is none";
 }
 
 TEST_F(UnblindingTest, KeepsTheReasonWhyAnOlderCopyWasPutBack) {
