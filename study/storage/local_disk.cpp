@@ -85,8 +85,10 @@ void requireLocalDisk(const std::string& path) {
   const auto drive = networkDriveOf(path);
   if (drive.empty()) return;
   throw StorageError(
-      path + " is on a network drive (" + drive +
-      "), where answers can get lost. Choose a folder on a disk of this computer; 'palpate study "
+      path +
+      (drive == "fuse" ? " is on a drive of unknown kind (fuse), perhaps of another computer"
+                       : " is on a network drive (" + drive + ")") +
+      ", where answers can get lost. Choose a folder on a disk of this computer; 'palpate study "
       "backup' copies a study to one.");
 }
 

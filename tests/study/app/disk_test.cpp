@@ -300,6 +300,12 @@ TEST_F(NetworkDriveTest, IsRefusedWhenAStudyIsOpenedForWriting) {
   }
 }
 
+TEST_F(NetworkDriveTest, IsNotNamedWhereTheKindOfDriveIsUnknown) {
+  const auto refused = on("fuse", {"study", "simulate", study_.folder(), "--participants", "1"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.error.find("drive of unknown kind (fuse)"), std::string::npos) << refused.error;
+}
+
 TEST_F(NetworkDriveTest, IsNotTakenForOneWhereItIsADiskOfThisComputer) {
   int participants = 0;
   for (const std::string type : {"ext4", "btrfs", "tmpfs", "fuseblk", "fuse.gocryptfs"}) {
