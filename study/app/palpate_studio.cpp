@@ -86,6 +86,7 @@ int writeKnee(const QString& path) {
 
 int main(int argc, char** argv) {
   study::setPrivateUmask();
+  study::forbidCoreFiles();
   study::app::escapeControlCharactersInOutput();
   QCommandLineParser parser;
   describe(parser);

@@ -58,6 +58,7 @@ bool isOutputWritten(const CLI::App& program) {
 
 int runProgram(CLI::App& program, const Action& action, int argc, char** argv) {
   setPrivateUmask();
+  forbidCoreFiles();
   escapeControlCharactersInOutput();
   try {
     program.parse(argc, argv);

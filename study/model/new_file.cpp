@@ -1,9 +1,11 @@
 #include "study/model/new_file.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
@@ -51,6 +53,19 @@ std::filesystem::path folderOf(const std::filesystem::path& path) {
 
 void setPrivateUmask() noexcept {
   umask(S_IRWXG | S_IRWXO);
+}
+
+void forbidCoreFiles() noexcept {
+  // Under a limit of 0 the kernel still starts the program that core_pattern names; under 1 it does
+  // not, and 1 byte is too little for a file (core(5)).
+  rlimit core{};
+  if (getrlimit(RLIMIT_CORE, &core) != 0) return;
+  core.rlim_cur = std::min<rlim_t>(1, core.rlim_max);
+  setrlimit(RLIMIT_CORE, &core);
+}
+
+bool isForLackOfRoom(int error) noexcept {
+  return error == ENOSPC || error == EDQUOT;
 }
 
 void writeNewFile(const std::string& path, const std::string& content) {

@@ -10,6 +10,14 @@ namespace study {
 /// starts.
 void setPrivateUmask() noexcept;
 
+/// If this process crashes, the system keeps no image of its memory, which has names and
+/// conditions: neither as a file nor for a program that collects such images.
+void forbidCoreFiles() noexcept;
+
+/// Whether the error of a system call (errno) says that there is no room: on the disk, or in this
+/// account's share of it.
+bool isForLackOfRoom(int error) noexcept;
+
 /// Writes a new file that its owner alone can read, and returns when content and name are on the
 /// disk.
 /// @throws storage::StorageError  if the file exists already or cannot be written; nothing is ever

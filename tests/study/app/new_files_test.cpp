@@ -86,7 +86,8 @@ class TracedFiles : public NewFiles {
   }
 
   Words callsOf(const std::string& words) {
-    palpate(words, "strace -f -y -s 500 -o calls -e trace=openat,mkdir,rename,fsync,umask");
+    palpate(
+        words, "strace -f -y -s 500 -o calls -e trace=openat,mkdir,rename,fsync,umask,prlimit64");
     Words lines;
     std::istringstream stream(tests::contentOf(folder_ / "calls"));
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -113,6 +114,13 @@ TEST_F(TracedFiles, AreForTheirOwnerFromTheFirstByte) {
     EXPECT_LE(isPrivate, firstWith(calls, "mkdir(")) << words;
     EXPECT_EQ(firstWith(calls, "umask(", isPrivate + 1), calls.size()) << words;
   }
+}
+
+TEST_F(TracedFiles, AreNoneOfACrashWithNamesInIt) {
+  const auto calls = callsOf("study create study --protocol punch-counterbalanced");
+  const auto isForbidden = firstWith(calls, "RLIMIT_CORE, {rlim_cur=1,");
+  ASSERT_LT(isForbidden, calls.size());
+  EXPECT_LT(isForbidden, firstWith(calls, "O_CREAT"));
 }
 
 TEST_F(TracedFiles, OfAnExportAreOnTheDiskBeforeItHasItsNameAndItsNameAfterwards) {
