@@ -371,13 +371,16 @@ class ConsistentSnapshot {
 
 std::string describeOtherAccess(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
-  constexpr auto kRightsOfOthers = fs::perms::group_all | fs::perms::others_all;
   std::error_code error;
   const auto rights = fs::status(folder, error).permissions();
-  if (error || (rights & kRightsOfOthers) == fs::perms::none) return {};
-  return "other accounts of this computer may enter the folder, and read what is in it. Close it: "
-         "chmod -R go-rwx '" +
-         folder.string() + "'";
+  const auto has = [&](fs::perms some) { return (rights & some) != fs::perms::none; };
+  // Whoever shares a study with a group lets it write, and new files belong to it.
+  const bool isShared = has(fs::perms::set_gid) && has(fs::perms::group_write);
+  if (error || (!has(fs::perms::others_all) && (isShared || !has(fs::perms::group_all)))) return {};
+  return std::string(
+             "other accounts of this computer may enter the folder, and read what is in it. "
+             "Close it: chmod -R ") +
+         (isShared ? "o-rwx '" : "go-rwx '") + folder.string() + "'";
 }
 
 bool Verification::isSound() const noexcept {

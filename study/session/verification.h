@@ -39,7 +39,8 @@ struct VerifyOptions {
 };
 
 /// A remark, with what to do, if other accounts of the computer may enter the study's folder
-/// (release 0.1 made such folders); empty if only its owner may.
+/// (release 0.1 made such folders); empty if only its owner may, and a group that it is shared with
+/// (docs/installing.md, "Several accounts").
 std::string describeOtherAccess(const std::filesystem::path& folder);
 
 /// Reads all files of a study, without changing them, and checks: the files and their references;

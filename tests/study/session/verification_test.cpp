@@ -85,6 +85,21 @@ TEST(Verification, RemarksThatOthersMayReadTheStudyAndWhatToDo) {
   }
 }
 
+TEST(Verification, DoesNotAdviseToCloseAFolderToTheGroupThatItIsSharedWith) {
+  namespace fs = std::filesystem;
+  tests::MadeStudy study;
+  const auto shared = fs::perms::owner_all | fs::perms::group_all | fs::perms::set_gid;
+  fs::permissions(study.folder(), shared);
+  EXPECT_EQ(describeOtherAccess(study.folder()), "");
+  fs::permissions(study.folder(), shared | fs::perms::others_read);
+  EXPECT_TRUE(
+      describeOtherAccess(study.folder()).ends_with("chmod -R o-rwx '" + study.folder() + "'"));
+  // A folder has the bit from the one that it was made in, too: then its group may not write.
+  fs::permissions(
+      study.folder(), fs::perms::owner_all | fs::perms::group_read | fs::perms::set_gid);
+  EXPECT_NE(describeOtherAccess(study.folder()), "");
+}
+
 /// A study with two people, and the head of its audit trail that was noted after the first.
 class NotedTrail : public testing::Test {
  protected:
