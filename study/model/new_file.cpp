@@ -28,7 +28,8 @@ namespace {
   throw storage::StorageError(
       "Could not write " + path + " (" + std::generic_category().message(code) +
           "). Check the folder, who may write it, and the room on the disk.",
-      code == ENOSPC ? storage::StorageError::Kind::DiskFull : storage::StorageError::Kind::Other);
+      isForLackOfRoom(code) ? storage::StorageError::Kind::DiskFull
+                            : storage::StorageError::Kind::Other);
 }
 
 /// Flushes a file, or the directory entries of a folder.

@@ -2,6 +2,8 @@
 
 #include <sys/statvfs.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
@@ -12,6 +14,7 @@
 
 #include <sqlite3.h>
 
+#include "study/model/new_file.h"
 #include "study/storage/local_disk.h"
 #include "study/storage/statement.h"
 
@@ -50,6 +53,26 @@ std::string immutableUri(const std::string& path) {
                                                               : "%23";
   }
   return name + "?immutable=1";
+}
+
+/// The errno of a call on the database's files that failed for lack of room; 0: none did.
+/// sqlite3_system_errno() has none where a commit fails, but the log and the file have it.
+int lackOfRoomIn(sqlite3* database) {
+  std::array<int, 3> errors{sqlite3_system_errno(database)};
+  sqlite3_file_control(database, "main", SQLITE_FCNTL_LAST_ERRNO, &errors[1]);
+  sqlite3_file* log = nullptr;
+  sqlite3_file_control(database, "main", SQLITE_FCNTL_JOURNAL_POINTER, static_cast<void*>(&log));
+  if (log != nullptr && log->pMethods != nullptr) {
+    log->pMethods->xFileControl(log, SQLITE_FCNTL_LAST_ERRNO, &errors[2]);
+  }
+  const auto* found = std::ranges::find_if(errors, isForLackOfRoom);
+  return found == errors.end() ? 0 : *found;
+}
+
+bool isTooLong(const std::string& path) {
+  const auto* system = sqlite3_vfs_find(nullptr);
+  const auto length = std::filesystem::absolute(path).string().size();
+  return system != nullptr && length >= static_cast<std::size_t>(system->mxPathname);
 }
 
 std::int64_t pragmaNumber(const Database& database, const std::string& name) {
@@ -99,11 +122,15 @@ Database::Database(std::string path, int flags, Reading reading) : path_(std::mo
     return;
   }
   const std::string reason = handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
+  const int error = handle_ != nullptr ? sqlite3_system_errno(handle_) : 0;
   sqlite3_close(handle_);
   handle_ = nullptr;
   throw StorageError(
-      path_ + " cannot be opened (" + reason +
-      "). Check that the folder exists and may be written.");
+      path_ + " cannot be opened (" + reason + "). " +
+      (isTooLong(path_) ? "Its path is too long: choose a folder with a shorter one."
+       : error == EACCES
+           ? "This account may not use it, or its folder: ask their owner for the rights."
+           : "Check that the folder exists and may be written."));
 }
 
 Database::~Database() {
@@ -336,8 +363,8 @@ void Database::fail(int code, const std::string& action) const {
   const std::string could = "Could not " + action + " " + path_ + ": ";
   // The low byte of the code is the primary result code. Some calls report a full disk as an I/O
   // error.
-  const bool isDiskFull = (code & 0xff) == SQLITE_IOERR && sqlite3_system_errno(handle_) == ENOSPC;
-  switch (isDiskFull ? SQLITE_FULL : code & 0xff) {
+  const int error = (code & 0xff) == SQLITE_IOERR ? lackOfRoomIn(handle_) : 0;
+  switch (error != 0 ? SQLITE_FULL : code & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       throw StorageError(
@@ -346,7 +373,9 @@ void Database::fail(int code, const std::string& action) const {
     case SQLITE_FULL:
       throw StorageError(
           could +
-              "the disk is full. Free some space and try again; what was confirmed is not lost.",
+              (error == EDQUOT ? "this account's share of the disk (quota) is used up"
+                               : "the disk is full") +
+              ". Free some space and try again; what was confirmed is not lost.",
           StorageError::Kind::DiskFull);
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:

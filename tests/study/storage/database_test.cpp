@@ -229,6 +229,28 @@ TEST_F(OpeningTest, AFolderThatMayNotBeRead) {
   expectClear(file, "Permission denied");
 }
 
+TEST_F(OpeningTest, AFileThatMayNotBeReadInAFolderThatMay) {
+  constexpr uid_t kNobody = 65534;
+  const auto own = geteuid();
+  fs::permissions(study_.scratch().path(), fs::perms::all);
+  fs::permissions(study_.folder(), fs::perms::all);
+  fs::permissions(study_.file("study.db"), fs::perms::none);
+  if (own == 0) ASSERT_EQ(seteuid(kNobody), 0) << "root may read everything";
+  const auto refusal = opening();
+  if (own == 0) ASSERT_EQ(seteuid(own), 0);
+  expectClear(refusal, "This account may not use it");
+  EXPECT_EQ(refusal.words.find("folder exists"), std::string::npos) << refusal.words;
+}
+
+TEST(Database, SaysThatAPathIsTooLong) {
+  const tests::ScratchFolder scratch;
+  fs::path folder = scratch.path();
+  while (folder.string().size() < 512) folder /= std::string(100, 'a');
+  fs::create_directories(folder);
+  const auto refusal = refusalOf([&] { Database::create(folder / "study.db", studySchema()); });
+  expectClear(refusal, "path is too long");
+}
+
 TEST_F(OpeningTest, AStudyWithoutItsTraces) {
   fs::remove(study_.file("traces.db"));
   expectClear(opening(), "traces.db");

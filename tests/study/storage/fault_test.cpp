@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "study/storage/database.h"
+#include "study/storage/study_schema.h"
 #include "tests/study/storage/faults.h"
+#include "tests/study/storage/refusals.h"
 #include "tests/study/storage/scripted_session.h"
 #include "tests/support/long_form.h"
+#include "tests/support/scratch_folder.h"
 
 namespace study {
 namespace fault_test {
@@ -27,8 +31,9 @@ struct Kind {
   std::size_t fewest;   ///< points that the long form must reach; the short one an eighth
 };
 
-constexpr int kIoError = 5;  // EIO
-constexpr int kNoRoom = 28;  // ENOSPC
+constexpr int kIoError = 5;    // EIO
+constexpr int kNoRoom = 28;    // ENOSPC
+constexpr int kNoQuota = 122;  // EDQUOT
 
 class FaultTest : public testing::TestWithParam<Kind> {
  protected:
@@ -108,6 +113,26 @@ INSTANTIATE_TEST_SUITE_P(
         kMemory("MemoryThatStaysShort", Arm::BeforeTheFirstCall, true),
         kMemory("MemoryThatIsShortOnceFromTheStart", Arm::BeforeOpening, false)),
     [](const auto& kind) { return kind.param.name; });
+
+TEST(Faults, AreAFullDiskWhereTheAccountsQuotaIsUsedUp) {
+  const tests::ScratchFolder folder;
+  auto database = storage::Database::create(folder / "study.db", storage::studySchema());
+  database.execute("CREATE TABLE note (words TEXT) STRICT");
+  for (const int error : {kNoRoom, kNoQuota}) {
+    for (std::int64_t n = 1;; ++n) {
+      tests::io_faults::arm({.first = n, .isPersistent = true, .error = error});
+      const auto refusal =
+          tests::refusalOf([&] { database.execute("INSERT INTO note VALUES ('a note')"); });
+      tests::io_faults::disarm();
+      if (!tests::io_faults::hasFired()) {
+        EXPECT_GT(n, 3) << "the control: something was written";
+        break;
+      }
+      EXPECT_EQ(refusal.kind, storage::StorageError::Kind::DiskFull) << n << ": " << refusal.words;
+      EXPECT_EQ(refusal.words.find("quota") != std::string::npos, error == kNoQuota);
+    }
+  }
+}
 
 TEST(Faults, AreNotReportedWithoutAFault) {
   tests::ScriptedStudy study;
