@@ -37,15 +37,19 @@ std::string thisNamespace() {
 }
 
 /// Boot id and start time of a process, which distinguish it from a later process with the same
-/// number, and the PID namespace. Empty if there is no such process.
+/// number, and the PID namespace. Empty if there is no such process, or if it has ended and its
+/// parent has not taken note of that yet.
 std::string processMarkOf(std::int64_t pid) {
   std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
   std::string line;
   if (!std::getline(stat, line)) return {};
   // The process name is in parentheses and may itself contain spaces and parentheses.
   std::istringstream fields(line.substr(line.rfind(')') + 1));
+  std::string state;
+  fields >> state;
+  if (state == "Z" || state == "X") return {};
   std::string began;
-  constexpr int kStartTimeField = 20;  // field 22; fields 1 and 2 are skipped above
+  constexpr int kStartTimeField = 19;  // field 22; fields 1 to 3 are skipped above
   for (int i = 0; i < kStartTimeField; ++i) fields >> began;
   return thisBoot() + "/" + began + "@" + thisNamespace();
 }

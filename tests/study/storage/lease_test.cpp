@@ -87,6 +87,12 @@ class OtherProgram {
     waitpid(pid_, nullptr, 0);
     pid_ = 0;
   }
+  /// It dies, and its parent does not take note of that.
+  void dieUnnoticed() const {
+    kill(pid_, SIGKILL);
+    siginfo_t ended{};
+    waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOWAIT);
+  }
 
  private:
   [[noreturn]] void run(const std::string& folder, SessionId id) {
@@ -115,6 +121,15 @@ TEST_F(LeaseTest, IsHeldByAnotherProgramUntilItEnds) {
   EXPECT_EQ(refusal.kind, Kind::Busy);
   tests::expectClear(refusal, "process " + std::to_string(other.pid()));
   other.die();  // kill -9: the lease is not given back
+  EXPECT_FALSE(resuming().happened);
+}
+
+TEST_F(LeaseTest, OfAProgramThatWasKilledIsFreeBeforeItsParentTakesNote) {
+  study_.close();
+  OtherProgram other(study_.folder(), id_);
+  ASSERT_TRUE(other.hasIt());
+  study_.reopen();
+  other.dieUnnoticed();
   EXPECT_FALSE(resuming().happened);
 }
 
