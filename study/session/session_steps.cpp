@@ -1,6 +1,7 @@
 // The course of a session: steps, trials, and the operator's decisions.
 #include "base/search.h"
 #include "study/session/session.h"
+#include "study/session/trial_setup.h"
 #include "study/storage/trial_repository.h"
 #include "study/words/counted.h"
 
@@ -118,11 +119,25 @@ void Session::keepTrial(const TrialRecord& record) {
   }
 }
 
-/// The record of a trial whose program has ended: only the number of stored samples is known.
+/// The record of a trial whose program has ended: what its stored samples tell. Of samples that
+/// cannot be read, only the number is known.
 TrialRecord Session::abortedRecord(TrialEnding ending) {
-  TrialRecord record{.ending = ending};
+  TrialRecord record;
   record.traceSamples = study_.traces().sampleCount(visit());
   record.ticks = record.traceSamples;
+  try {
+    const auto chunks = storage::chunksOf(study_.traces().database(), visit());
+    // A chunk holds the samples of a second.
+    if (!chunks.empty()) {
+      record = recordFrom(
+          study_.traces().read(visit()),
+          *deviceFor(*this).kind,
+          static_cast<double>(chunks.front().samples));
+    }
+  } catch (const storage::StorageError&) {
+    // Verifying the study says what is wrong with them.
+  }
+  record.ending = ending;
   return record;
 }
 

@@ -107,7 +107,35 @@ storage::TraceSample asTraceSample(const TickSample& sample) {
       .torque = static_cast<float>(sample.torque)};
 }
 
+TickSample asTickSample(const storage::TraceSample& sample) {
+  TickSample tick;
+  tick.tick = sample.tick;
+  tick.travel = sample.travel;
+  tick.velocity = sample.velocity;
+  tick.desired = sample.desired;
+  tick.force = sample.force;
+  tick.lateness = sample.lateness;
+  tick.status = static_cast<DeviceStatus>(sample.status);
+  tick.interventions = sample.interventions;
+  tick.marks = sample.marks;
+  tick.desiredTorque = sample.desiredTorque;
+  tick.torque = sample.torque;
+  return tick;
+}
+
 }  // namespace
+
+TrialRecord recordFrom(
+    const std::vector<storage::TraceSample>& samples,
+    const haptics::devices::DeviceKind& device,
+    double rate) {
+  TrialStatistics statistics(device, rate);
+  for (const auto& sample : samples) statistics.add(asTickSample(sample));
+  TrialRecord record{.travelUnit = std::string(device.travel.unit)};
+  statistics.fillIn(record);
+  record.traceSamples = static_cast<std::int64_t>(samples.size());
+  return record;
+}
 
 Trial::Trial(haptics::devices::Device& device, Setup setup)
     : device_(device),

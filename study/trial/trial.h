@@ -121,6 +121,13 @@ class Trial {
   std::int64_t storedSamples_ = 0;
 };
 
+/// The record of a trial of which only the stored samples are left: what can be counted in them.
+/// @param rate  of the ticks [Hz]
+TrialRecord recordFrom(
+    const std::vector<storage::TraceSample>& samples,
+    const haptics::devices::DeviceKind& device,
+    double rate);
+
 /// Runs @p trial with the device's simulated hand, as fast as this computer can, until @p cuts cuts
 /// are completed and the tool is open again, or @p longest [s] of simulated time have passed.
 TrialRecord runOffline(Trial& trial, int cuts, double longest);

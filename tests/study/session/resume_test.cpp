@@ -1,4 +1,6 @@
 // A session is resumed at its present step, whenever the program ended.
+#include <cmath>
+#include <numbers>
 #include <span>
 
 #include <gtest/gtest.h>
@@ -71,6 +73,35 @@ TEST_F(ResumeTest, CountsARunningTrialAsBrokenOff) {
   EXPECT_TRUE(verify(*study_).isSound());
   resumed.repeatStep("the program had ended");
   EXPECT_EQ(resumed.visit(), (VisitKey{visit.session, visit.step, 2}));
+}
+
+TEST_F(ResumeTest, CountsInTheStoredSamplesWhatWasFeltBeforeTheProgramEnded) {
+  tests::walkTo(*session_, StepKind::Trial);
+  session_->beginTrial();
+  // A stroke in each second, through tissue that is touched at 4 and cut at 8.
+  for (int second = 0; second < 2; ++second) {
+    std::vector<storage::TraceSample> samples(1000);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double phase = 2.0 * std::numbers::pi * 1e-3 * static_cast<double>(i);
+      const double travel = 5.5 - 5.5 * std::cos(phase);
+      const bool isCutting = std::sin(phase) >= 0.0 && travel > 4.0 && travel < 8.0;
+      samples[i] = {
+          .travel = static_cast<float>(travel),
+          .force = isCutting ? static_cast<float>(1.2 * (travel - 4.0)) : 0.0F};
+    }
+    study_->traces().add(session_->visit(), second, samples);
+  }
+  again();
+  const storage::Records records(study_->database());
+  const auto trials = records.trials();
+  ASSERT_EQ(trials.size(), 1U);
+  EXPECT_EQ(trials[0].ending, TrialEnding::ProgramEnded);
+  EXPECT_EQ(trials[0].duration, 2.0);
+  EXPECT_EQ(trials[0].ticks, 2000);
+  EXPECT_EQ(trials[0].cuts, 2);
+  EXPECT_GT(trials[0].contact, 0.1);
+  EXPECT_EQ(records.cuts().size(), 2U);
+  EXPECT_TRUE(verify(*study_).isSound());
 }
 
 TEST_F(ResumeTest, StaysInterruptedUntilTheOperatorDecides) {
