@@ -88,11 +88,15 @@ inline constexpr auto kDeviceMessages = std::to_array<base::MessageKind>({
      "The device at {} cannot render bone by itself. Let the host render it (\"renders\": \"host\" "
      "in the device file)."},
     {"fault.board_silent", "{}: it has sent nothing for 50 ms"},
+    {"fault.only_damaged",
+     "{}: for 50 ms it has sent damaged frames only: check the cable, and what disturbs it"},
     {"fault.lost_count", "{}: it is where it cannot be: its encoder has lost count"},
     {"fault.leaps", "{}: its position leaps: check the encoder's cable"},
     {"fault.driver", "{}: the motor's driver reports a fault"},
     {"fault.encoder", "{}: its encoder jumps"},
     {"fault.too_fast", "{}: it moves faster than any hand"},
+    {"fault.host_paused",
+     "{}: it has let go by itself, because this computer stood still: end other programs"},
     {"fault.let_go", "{}: it has let go by itself: it was restarted, or we were silent"},
 
     // A robot's arm

@@ -16,6 +16,9 @@ using timing::kMicrosecond;
 using timing::kMillisecond;
 
 constexpr std::int64_t kSilenceTimeout = 50 * kMillisecond;
+// Of the frames of a silence; a reset damages one.
+constexpr std::uint32_t kLeastDamaged = 5;
+constexpr std::int64_t kBoardPatience = 40 * kMillisecond;  // then a board disarms itself
 constexpr std::uint64_t kToleratedLeaps = 2;  // one wrong position: a leap there, and one back
 constexpr std::int64_t kHelloTimeout =
     3000 * kMillisecond;  // QEMU checks for a client once a second
@@ -135,7 +138,8 @@ void PunchDevice::beginForces() noexcept {
   damagedBefore_ = decoder_.damaged();
   isNew_ = false;
   hasTravel_ = false;
-  armedAt_ = hostTime_ = timing::now();
+  armedAt_ = hostTime_ = lastSentAt_ = timing::now();
+  longestPause_ = 0;
   send(Arm{.isArmed = true, .expiry = static_cast<std::uint8_t>(settings_.expiry)});
 }
 
@@ -213,6 +217,7 @@ void PunchDevice::handleState(const Frame& frame, std::int64_t at) noexcept {
   state_ = state;
   if (std::exchange(hasTravel_, true)) countLeap(before, 1e-6 * static_cast<double>(since));
   hostTime_ = at;
+  damagedAtState_ = decoder_.damaged();
   isNew_ = true;
   ++report_.received;
 }
@@ -251,7 +256,8 @@ DeviceSample PunchDevice::read(double) noexcept {
   if (!isNew_) {
     ++report_.stale;
     if (timing::now() - hostTime_ <= kSilenceTimeout) return sample;
-    fail("fault.board_silent");
+    const bool isNoise = decoder_.damaged() - damagedAtState_ >= kLeastDamaged;
+    fail(isNoise ? DeviceFault("fault.only_damaged") : DeviceFault("fault.board_silent"));
     return {.status = DeviceStatus::NotAnswering};
   }
   isNew_ = false;
@@ -260,12 +266,14 @@ DeviceSample PunchDevice::read(double) noexcept {
   const bool isPlausible = settings_.kind->serial.isPlausibleTravel(sample.travel);
   const bool leaps = report_.leaps > kToleratedLeaps;
   if (faults == 0 && isPlausible && !leaps) return sample;
+  const auto pause = std::max(longestPause_, timing::now() - lastSentAt_);
   fail(
       faults == 0 && !isPlausible     ? DeviceFault("fault.lost_count")
       : faults == 0                   ? DeviceFault("fault.leaps")
       : (faults & kDriverFault) != 0  ? DeviceFault("fault.driver")
       : (faults & kEncoderFault) != 0 ? DeviceFault("fault.encoder")
       : (faults & kTooFast) != 0      ? DeviceFault("fault.too_fast")
+      : pause >= kBoardPatience       ? DeviceFault("fault.host_paused")
                                       : DeviceFault("fault.let_go"));
   return {.status = DeviceStatus::Faulted};
 }

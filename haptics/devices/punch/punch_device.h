@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/serial_port.h"
@@ -78,6 +80,7 @@ class PunchDevice final : public WireDevice {
     const auto time = static_cast<std::uint32_t>(at / timing::kMicrosecond);
     const std::size_t count = wire::punch::encode(message, sequence, time, bytes.data());
     sentAt_[sequence % sentAt_.size()] = at;
+    longestPause_ = std::max(longestPause_, at - std::exchange(lastSentAt_, at));
     if (!port_.write({bytes.data(), count}) && port_.isOpen()) ++report_.unsent;
   }
   std::uint8_t relevantFaults() const noexcept;
@@ -99,9 +102,12 @@ class PunchDevice final : public WireDevice {
 
   wire::SequenceCheck<std::uint16_t> sequence_;
   wire::punch::State state_;
-  std::int64_t armedAt_ = 0;         // [ns]
-  std::uint32_t damagedBefore_ = 0;  // damaged frames when counting began
-  bool hasTravel_ = false;           // a State message arrived since forces began
+  std::int64_t armedAt_ = 0;          // [ns]
+  std::uint32_t damagedBefore_ = 0;   // damaged frames when counting began
+  std::uint32_t damagedAtState_ = 0;  // damaged frames at the last State message
+  std::int64_t lastSentAt_ = 0;       // [ns]
+  std::int64_t longestPause_ = 0;     // between messages to the device since forces began [ns]
+  bool hasTravel_ = false;            // a State message arrived since forces began
 
   std::uint16_t nextSequence_ = 0;
   std::uint16_t lastEcho_ = 0;  // last sequence number of the host that the device acknowledged

@@ -95,11 +95,13 @@ class EmulatedPunch : public testing::Test {
   PunchSettings settings(const std::string& port) {
     return {.port = port, .travelPerCount = kTravelPerCount, .newtonsPerVolt = kNewtonsPerVolt};
   }
-  void connect(PunchEmulator::Options options) {
+  /// @param patience  after which the board lets go of a computer that is silent [ms]; at first it
+  ///     forgives one that is busy.
+  void connect(PunchEmulator::Options options, std::uint16_t patience = 5000) {
     options.newtonsPerVolt = kNewtonsPerVolt;
     options.travelPerCount = kTravelPerCount;
     options.link = folder_ / "punch";
-    options.limits.silence = 5000;  // the board forgives a computer that is busy
+    options.limits.silence = patience;
     board_.emplace(options);
     device_ = std::make_unique<PunchDevice>(settings(board_->port()));
   }

@@ -42,6 +42,7 @@ constexpr int kTries = 5;  // a computer may be too busy for a device, which is 
 constexpr double kRounding = 1e-9;
 constexpr const char* kLeaps = "its position leaps";
 constexpr const char* kSilent = "has sent nothing for 50 ms";
+constexpr const char* kDamaged = "for 50 ms it has sent damaged frames only";
 
 /// A board of which each turn of a millisecond can be a lie.
 class LyingBoard {
@@ -207,7 +208,7 @@ const Attack kAttacks[] = {
        for (auto& byte : bytes) byte = static_cast<std::uint8_t>(b.random.bits());
        b.sayBytes(bytes);
      },
-     kSilent},
+     kDamaged},
     {"Leap", [](auto& b, int t) { b.sayState(t % 100 < 50 ? 0.0 : kMostTravel); }, kLeaps, true},
     {"OneLeap",
      [](auto& b, int t) {

@@ -64,6 +64,23 @@ TEST_F(PunchFaultsTest, FaultsWhenTheBoardStopsSending) {
   EXPECT_FALSE(board_->isArmed());
 }
 
+TEST_F(PunchFaultsTest, SaysThatOnlyDamagedFramesArrive) {
+  connect(atRest());
+  EXPECT_TRUE(endsBy("damage 200", "damaged frames only"));
+}
+
+TEST_F(PunchFaultsTest, SaysThatTheBoardLetGoBecauseThisComputerStoodStill) {
+  connect(atRest(), 40);
+  const std::int64_t until = soon(kPatience);
+  testing::AssertionResult isSaid = testing::AssertionFailure() << "never pushed back";
+  while (!isSaid && timing::now() < until && push(4.0)) {
+    timing::sleepUntil(soon(80 * kMillisecond));
+    if (!exchangeUntil(4.0, [&](const DeviceSample&) { return isFaulted(); })) break;
+    isSaid = says(device_->fault(), "this computer stood still");
+  }
+  EXPECT_TRUE(isSaid);
+}
+
 TEST_F(PunchFaultsTest, FaultsWhenTheBoardIsReset) {
   connect(atRest());
   EXPECT_TRUE(endsBy("reset", "has sent nothing for 50 ms"));
