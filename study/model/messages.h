@@ -8,8 +8,8 @@
 namespace study {
 
 /// Why a trial did not pass ("trial.…"), whether a device suits a protocol ("preflight.…"), and
-/// what is wrong with files of a study ("traces.…"). Messages of trials are stored by key and
-/// arguments, so neither may change.
+/// what is wrong with files of a study ("storage.…", "traces.…"). Messages of trials are stored by
+/// key and arguments, so neither may change.
 inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"trial.broke_off", "the trial broke off ({})"},
     {"trial.broke_off.fault", "the trial broke off ({}: {})"},
@@ -75,6 +75,18 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"preflight.device_file", "device file"},
     {"preflight.device_file.missing", "no device of that name"},
     {"preflight.device_file.fix", "Add it to the device file, or give it that id."},
+    {"storage.busy",
+     "Could not use {}: another program is using it. Close it there, or wait, and try again."},
+    {"storage.disk_full",
+     "Could not write to {}: the disk is full. Free some space and try again; what was confirmed "
+     "is not lost."},
+    {"storage.quota_used_up",
+     "Could not write to {}: this account's share of the disk (quota) is used up. Free some space "
+     "and try again; what was confirmed is not lost."},
+    {"storage.not_writable",
+     "Could not use {}: it may not be written. Check who owns the folder, and the disk."},
+    {"storage.disk_error",
+     "Could not use {}: the disk reports an error ({}). Is it healthy and connected?"},
     {"traces.damaged", "{} is damaged: second {} of a trial is not what was recorded."},
     {"traces.unreadable", "the traces cannot be read; 'palpate study verify' says more"},
 });

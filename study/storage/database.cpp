@@ -14,6 +14,7 @@
 
 #include <sqlite3.h>
 
+#include "study/model/messages.h"
 #include "study/model/new_file.h"
 #include "study/storage/local_disk.h"
 #include "study/storage/statement.h"
@@ -367,20 +368,16 @@ void Database::fail(int code, const std::string& action) const {
   switch (error != 0 ? SQLITE_FULL : code & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      throw StorageError(
-          could + "another program is using it. Close it there, or wait, and try again.",
-          StorageError::Kind::Busy);
+      throw StorageError(message("storage.busy", path()), StorageError::Kind::Busy);
     case SQLITE_FULL:
       throw StorageError(
-          could +
-              (error == EDQUOT ? "this account's share of the disk (quota) is used up"
-                               : "the disk is full") +
-              ". Free some space and try again; what was confirmed is not lost.",
+          error == EDQUOT ? message("storage.quota_used_up", path())
+                          : message("storage.disk_full", path()),
           StorageError::Kind::DiskFull);
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
-      throw StorageError(could + "it may not be written. Check who owns the folder, and the disk.");
+      throw StorageError(message("storage.not_writable", path()), StorageError::Kind::Other);
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
       throw StorageError(
@@ -388,8 +385,7 @@ void Database::fail(int code, const std::string& action) const {
               "). Restore it from a copy; do not go on with it.",
           StorageError::Kind::Damaged);
     case SQLITE_IOERR:
-      throw StorageError(
-          could + "the disk reports an error (" + reason + "). Is it healthy and connected?");
+      throw StorageError(message("storage.disk_error", path(), reason), StorageError::Kind::Other);
     case SQLITE_CONSTRAINT:
       throw StorageError(
           could +

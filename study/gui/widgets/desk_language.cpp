@@ -9,6 +9,7 @@
 #include "haptics/devices/device.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/studio_settings.h"
+#include "study/model/storage_error.h"
 #include "study/words/words.h"
 
 namespace study::gui {
@@ -104,9 +105,12 @@ QString deskText(const base::Message& message) {
 }
 
 QString deskText(const std::exception& error) {
-  const auto* ofDevice = dynamic_cast<const haptics::devices::DeviceError*>(&error);
-  return ofDevice == nullptr ? QString::fromUtf8(error.what())
-                             : QString::fromStdString(desk().texts.words()(ofDevice->messages()));
+  if (const auto* ofDevice = dynamic_cast<const haptics::devices::DeviceError*>(&error)) {
+    return QString::fromStdString(desk().texts.words()(ofDevice->messages()));
+  }
+  const auto* ofStorage = dynamic_cast<const storage::StorageError*>(&error);
+  const bool hasMessage = ofStorage != nullptr && !ofStorage->message().empty();
+  return hasMessage ? deskText(ofStorage->message()) : QString::fromUtf8(error.what());
 }
 
 }  // namespace study::gui

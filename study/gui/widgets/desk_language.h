@@ -45,7 +45,7 @@ std::string translated(std::string_view english, First&& first, Rest&&... rest) 
 QString deskText(std::string_view english);
 /// Translates a message from outside study/gui.
 QString deskText(const base::Message& message);
-/// What an error says: translated if it is of a device, else its own words.
+/// What an error says: translated if it is of a device or of the storage, else its own words.
 QString deskText(const std::exception& error);
 
 }  // namespace study::gui

@@ -12,9 +12,11 @@
 #include "haptics/devices/device.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/messages.h"
+#include "study/model/messages.h"
 #include "study/model/run_mode.h"
 #include "study/model/session_plan.h"
 #include "study/model/session_state.h"
+#include "study/model/storage_error.h"
 #include "study/model/trial_record.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
@@ -227,6 +229,26 @@ TEST_F(DeskLanguage, LeavesParticipantsTheLanguageOfTheirSession) {
   EXPECT_EQ(shown("study::gui::ParticipantWindow", "Next"), QStringLiteral("Neste"));
   EXPECT_EQ(shown("study::gui::HomeWindow", "Studies"), QStringLiteral("Studien"));
   QCoreApplication::removeTranslator(&session);
+}
+
+TEST_F(DeskLanguage, IsThatOfWhatTheStorageSays) {
+  setDeskLanguage("de");
+  const storage::StorageError full(
+      message("storage.disk_full", "study.db"), storage::StorageError::Kind::DiskFull);
+  EXPECT_TRUE(deskText(full).startsWith(
+      QStringLiteral("study.db ließ sich nicht schreiben: Der Datenträger ist voll.")))
+      << deskText(full).toStdString();
+}
+
+TEST_F(DeskLanguage, IsThatOfStepsThatAreCalledAsWhatTheyAre) {
+  setDeskLanguage("de");
+  const protocols::Labels labels;
+  EXPECT_EQ(
+      describe({.kind = StepKind::Consent, .phase = "consent"}, labels),
+      QStringLiteral("Einwilligung"));
+  EXPECT_EQ(
+      describe({.kind = StepKind::Consent, .phase = "your-consent"}, labels),
+      QStringLiteral("Your consent"));
 }
 
 TEST_F(DeskLanguage, IsEnglishWithoutACatalogue) {
