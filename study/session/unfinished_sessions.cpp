@@ -1,11 +1,21 @@
 #include "study/session/unfinished_sessions.h"
 
+#include <algorithm>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "study/session/drawn_plan.h"
 #include "study/session/session.h"
 
 namespace study {
+
+const std::string_view kOpenThere =
+    "It is open on {} (process {}, since {}): go on there, or close it there first.";
+const std::string_view kTakeOver =
+    "Take it over with a reason, if that computer is gone or has another name now. It last stored "
+    "something at {}.";
+
 namespace {
 
 /// A step as text for the operator, with the label of the alternative instead of its condition.
@@ -44,15 +54,11 @@ std::optional<std::string> choiceFor(SessionState state, SessionEvent event) {
 std::vector<std::string> choicesFor(
     const UnfinishedSession& session, const std::vector<Step>& plan) {
   if (session.isOpenElsewhere()) {
-    const std::string there = "It is open on " + session.holder->station + " (process " +
-                              std::to_string(session.holder->pid) + ", since " +
-                              session.holder->since + "): go on there, or close it there first.";
+    const auto& holder = *session.holder;
+    const auto there =
+        fmt::format(fmt::runtime(kOpenThere), holder.station, holder.pid, holder.since);
     if (!session.mayBeTakenOver()) return {there};
-    return {
-        there,
-        "Take it over with a reason, if that computer is gone or has another name now. It "
-        "last stored something at " +
-            session.lastStoredUtc + "."};
+    return {there, fmt::format(fmt::runtime(kTakeOver), session.lastStoredUtc)};
   }
   // A trial that was running when its program ended is broken off when the session is resumed.
   const auto found =
@@ -101,6 +107,10 @@ std::vector<UnfinishedSession> unfinishedSessions(Study& study) {
     unfinished.push_back(std::move(session));
   }
   return unfinished;
+}
+
+int openElsewhereIn(const std::vector<UnfinishedSession>& sessions) noexcept {
+  return static_cast<int>(std::ranges::count_if(sessions, &UnfinishedSession::isOpenElsewhere));
 }
 
 std::string whatHappened(const UnfinishedSession& session) {

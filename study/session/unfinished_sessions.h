@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "study/model/session_plan.h"
@@ -33,8 +34,16 @@ struct UnfinishedSession {
   bool mayBeTakenOver() const noexcept { return isOpenElsewhere() && !holder->isOnThisComputer; }
 };
 
+/// What can be done about a session that is open elsewhere: with the computer, the number of the
+/// process, and since when; and for one on another computer, with when it last stored something.
+extern const std::string_view kOpenThere;
+extern const std::string_view kTakeOver;
+
 /// All unfinished sessions of a study, the oldest first. Does not change the study.
 std::vector<UnfinishedSession> unfinishedSessions(Study& study);
+
+/// How many of these are open elsewhere.
+int openElsewhereIn(const std::vector<UnfinishedSession>& sessions) noexcept;
 
 /// Why the session is unfinished: one sentence.
 std::string whatHappened(const UnfinishedSession& session);

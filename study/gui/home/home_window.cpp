@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <QApplication>
 #include <QDir>
 #include <QEvent>
 #include <QFileDialog>
@@ -65,6 +66,9 @@ HomeWindow::HomeWindow(std::string deviceFile, QWidget* parent)
   setWindowTitle(tr("Palpate"));
   readTimer_.setSingleShot(true);
   connect(&readTimer_, &QTimer::timeout, this, &HomeWindow::loadNextVisibleSummary);
+  connect(&lookTimer_, &QTimer::timeout, this, &HomeWindow::lookElsewhere);
+  constexpr int kLookInterval = 2000;  // [ms]
+  lookTimer_.start(kLookInterval);
   makeContents();
   // A study with a few documents is seen without scrolling where the screen is high enough.
   constexpr QSize kLeast(1240, 740);
@@ -365,6 +369,15 @@ void HomeWindow::fillRow(int row) {
        .share = shareOf(study),
        .isBroken = !study.problem.empty()});
   list_->item(row, 0)->setToolTip(folder + QLatin1Char('\n') + tr("Last opened: %1").arg(opened));
+}
+
+/// Shows the chosen study again if a session that was open elsewhere is so no longer.
+void HomeWindow::lookElsewhere() {
+  const auto* study = chosen();
+  const bool isLookedAt = isVisible() && QApplication::activeModalWidget() == nullptr;
+  if (!isLookedAt || study == nullptr || openElsewhereIn(study->unfinished) == 0) return;
+  const auto now = summaryOf(study->folder);
+  if (openElsewhereIn(now.unfinished) != openElsewhereIn(study->unfinished)) refresh();
 }
 
 const StudySummary* HomeWindow::chosen() const {

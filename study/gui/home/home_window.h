@@ -68,6 +68,7 @@ class HomeWindow final : public QMainWindow {
   void showChosen();
   void read(int row);
   void loadNextVisibleSummary();
+  void lookElsewhere();
   void closeStudy();
   void removeSelectedFromList();
   void askForProtocol();
@@ -88,6 +89,7 @@ class HomeWindow final : public QMainWindow {
   };
   std::vector<Row> studies_;  ///< in the order of the list
   QAction* removeAction_ = nullptr;
+  QTimer lookTimer_;      ///< looks whether sessions are still open elsewhere
   QTimer readTimer_;      ///< reads the next visible row that was not read yet
   std::string language_;  ///< of the present contents
   QBoxLayout* columns_ = nullptr;

@@ -334,9 +334,7 @@ QWidget* StudyPanel::makeCard(const UnfinishedSession& session, bool isMain) {
   layout->addLayout(buttons);
   QString words = describeUnfinished(session);
   if (!session.isOpenElsewhere()) words += QStringLiteral("\n") + tr("You can:");
-  for (const auto& choice : session.choices) {
-    words += QStringLiteral("\n•  ") + deskText(choice);
-  }
+  for (const auto& choice : choicesFor(session)) words += QStringLiteral("\n•  ") + choice;
   auto* more = quietLabel(words, card);
   more->setVisible(false);
   layout->addWidget(more);

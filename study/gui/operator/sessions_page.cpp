@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 
 #include <QFormLayout>
 #include <QFrame>
@@ -59,8 +60,22 @@ SessionsPage::SessionsPage(Study& study, StationPush& push, QWidget* parent)
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SessionsPage::showSelected);
   connect(send_, &QPushButton::clicked, &push_, &StationPush::send);
   connect(&push_, &StationPush::changed, this, &SessionsPage::showPush);
+  connect(&again_, &QTimer::timeout, this, &SessionsPage::lookElsewhere);
+  constexpr int kLookInterval = 2000;  // [ms]
+  again_.start(kLookInterval);
   refresh();
   chooseUsualLanguage();
+}
+
+/// Lists the sessions again if one that was open elsewhere is so no longer.
+void SessionsPage::lookElsewhere() {
+  if (!isVisible() || openElsewhereIn(unfinished_) == 0) return;
+  try {
+    const auto now = unfinishedSessions(study_);
+    if (openElsewhereIn(now) != openElsewhereIn(unfinished_)) refresh();
+  } catch (const std::exception&) {
+    // The list stays as it is, and is read again soon.
+  }
 }
 
 /// Chooses the language of the latest session of a person; in a new study, that of the desk.
@@ -385,8 +400,8 @@ void SessionsPage::showSelected() {
   }
   QString words = describeUnfinished(*one);
   // Otherwise the buttons below say what can be done.
-  for (const auto& choice : one->choices) {
-    if (one->isOpenElsewhere()) words += QStringLiteral("\n•  ") + deskText(choice);
+  if (one->isOpenElsewhere()) {
+    for (const auto& choice : choicesFor(*one)) words += QStringLiteral("\n•  ") + choice;
   }
   details_->setText(words);
   setMinimumHeights();

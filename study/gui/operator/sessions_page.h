@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <QWidget>
 
@@ -57,6 +58,7 @@ class SessionsPage final : public QWidget {
   void showPush();
   void fillCohorts(
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
+  void lookElsewhere();
   void showSelected();
   void showNextCode();
   void addAction(QPushButton& button, QLabel& line);
@@ -88,6 +90,7 @@ class SessionsPage final : public QWidget {
   };
   std::vector<Ending> endings_;  ///< end the selected session
   QLabel* arrived_;              ///< how much has arrived at the server; in a station's study only
+  QTimer again_;                 ///< looks whether sessions are still open elsewhere
   QPushButton* send_;            ///< sends what has not arrived
 };
 

@@ -179,6 +179,22 @@ QString describeUnfinished(const UnfinishedSession& session) {
       " " + translated(whatHappened(session)));
 }
 
+QStringList choicesFor(const UnfinishedSession& session) {
+  QStringList lines;
+  if (session.isOpenElsewhere()) {
+    const auto& holder = *session.holder;
+    lines << QString::fromStdString(
+        translated(kOpenThere, holder.station, holder.pid, localTime(holder.since).toStdString()));
+    if (session.mayBeTakenOver()) {
+      lines << QString::fromStdString(
+          translated(kTakeOver, localTime(session.lastStoredUtc).toStdString()));
+    }
+    return lines;
+  }
+  for (const auto& choice : session.choices) lines << deskText(choice);
+  return lines;
+}
+
 QString nativeName(const QString& language) {
   // Qt names the default regional variant ("American English").
   if (language == QStringLiteral("en")) return QStringLiteral("English");

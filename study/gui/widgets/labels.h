@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
 #include "protocols/model/protocol.h"
@@ -29,6 +30,8 @@ QString phaseTitle(const std::string& id);
 QString describe(const Step& step, const protocols::Labels& labels);
 /// The step of an unfinished session and what happened to the session, in the language of the desk.
 QString describeUnfinished(const UnfinishedSession& session);
+/// What can be done about an unfinished session, a line each.
+QStringList choicesFor(const UnfinishedSession& session);
 /// The name of a language in that language.
 QString nativeName(const QString& language);
 /// Adds languages to choose from, each by its native name and with its tag as data.

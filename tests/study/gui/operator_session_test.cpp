@@ -12,6 +12,7 @@
 #include <QElapsedTimer>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QRegularExpression>
 #include <QTest>
 
 #include "protocols/load_protocol.h"
@@ -136,6 +137,34 @@ TEST_F(OperatorSession, RefusesALiveSessionWithBlanksInTextsAndAsksBeforeAPilot)
     QTest::mouseClick(box.findChild<QPushButton*>(QStringLiteral("action")), Qt::LeftButton);
   });
   ASSERT_NE(window_.controller(), nullptr) << "a pilot session does not count";
+}
+
+TEST_F(OperatorSession, NeedsTheCohortOfEachParticipantChosenAnew) {
+  const auto isPossible = [this] {
+    return buttonSaying(&window_, QStringLiteral("New participant"))->isEnabled();
+  };
+  EXPECT_FALSE(isPossible());
+  tests::chooseFirstCohort(window_);
+  EXPECT_TRUE(isPossible());
+  enrol();
+  QTest::mouseClick(buttonSaying(&window_, QStringLiteral("Close session")), Qt::LeftButton);
+  EXPECT_FALSE(isPossible()) << "of the participant before";
+}
+
+TEST_F(OperatorSession, OffersASessionOnceItIsNoLongerOpenElsewhere) {
+  std::optional<Session> elsewhere(
+      Session::enrol(study_, {.cohort = "professional", .runMode = RunMode::Pilot}));
+  OperatorWindow window(study_);
+  window.show();
+  const auto* resume = buttonSaying(&window, QStringLiteral("Continue session"));
+  ASSERT_NE(resume, nullptr);
+  EXPECT_FALSE(resume->isEnabled());
+  for (const auto* label : window.findChildren<QLabel*>()) {
+    static const QRegularExpression kUtc(QStringLiteral("\\dT\\d"));
+    EXPECT_FALSE(label->text().contains(kUtc)) << label->text().toStdString();
+  }
+  elsewhere.reset();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return resume->isEnabled(); }, 6000));
 }
 
 TEST_F(OperatorSession, AsksBeforeALiveSessionInABackup) {
