@@ -126,6 +126,9 @@ ParticipantWindow::ParticipantWindow(
   connect(&controller_, &SessionController::stepChanged, this, &ParticipantWindow::showStep);
   connect(&controller_, &SessionController::languageChanged, this, &ParticipantWindow::showStep);
   connect(&controller_, &SessionController::trialChanged, this, &ParticipantWindow::updateTrial);
+  connect(lock_, &ScreenLock::opened, this, [this] {
+    if (controller_.isWaiting()) showStep();
+  });
   showStep();
 }
 
@@ -354,10 +357,13 @@ QWidget* ParticipantWindow::makePage() {
     next_->setVisible(false);
     return makeEnd();
   }
-  if (session.state() == SessionState::Paused || session.state() == SessionState::Interrupted ||
-      controller_.isTrialUnsaved()) {
+  if (controller_.isWaiting()) {
     next_->setVisible(false);
-    return makeMessage(tr("One moment, please"), tr("The researcher will go on in a moment."));
+    // While this window covers the screen, the researcher does not see what happened.
+    return makeMessage(
+        tr("One moment, please"),
+        lock_->isLocked() ? tr("Please call the researcher.")
+                          : tr("The researcher will go on in a moment."));
   }
   switch (session.step().kind) {
     case StepKind::Trial:

@@ -42,6 +42,11 @@ class SessionController final : public QObject {
   bool isTrialUnsaved() const noexcept {
     return !isTrialRunning() && session_.state() == SessionState::InTrial;
   }
+  /// Whether the participant can do nothing until the operator goes on.
+  bool isWaiting() const noexcept {
+    const auto state = session_.state();
+    return state == SessionState::Paused || state == SessionState::Interrupted || isTrialUnsaved();
+  }
   /// Whether the disk may be too full for the next trial.
   bool isDiskAlmostFull() const;
   LiveTrial::Status trialStatus() const {

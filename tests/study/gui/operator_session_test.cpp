@@ -502,6 +502,23 @@ TEST_F(HandedOver, ShowsMessagesOnlyAfterUnlocking) {
       << told.toStdString();
 }
 
+TEST_F(HandedOver, AsksTheParticipantToCallTheResearcherWhenATrialBreaksOff) {
+  handOver();
+  goTo(StepKind::Trial);
+  participant_.cut(1);
+  window_.controller()->stop();
+  const auto says = [this](const char* words) {
+    for (const auto* label : window_.participantWindow()->findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains(QString::fromUtf8(words))) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(says("Please call the researcher"));
+  unlock();
+  EXPECT_FALSE(says("Please call the researcher"));
+  EXPECT_TRUE(says("The researcher will go on")) << "who has come";
+}
+
 TEST_F(HandedOver, GivesTheOperatorTheKeyboardBackAfterThePin) {
   handOver();
   EXPECT_NE(QApplication::activeWindow(), &window_);
