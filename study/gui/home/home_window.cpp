@@ -80,6 +80,7 @@ HomeWindow::HomeWindow(std::string deviceFile, QWidget* parent)
 }
 
 void HomeWindow::makeContents() {
+  delete takeCentralWidget();  // at once: while it is there, its texts keep their letters with Alt
   language_ = deskLanguage();
   list_ = new StudyList(this);
   panel_ = new StudyPanel(this);

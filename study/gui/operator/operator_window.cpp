@@ -69,6 +69,7 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
 }
 
 void OperatorWindow::makeContents() {
+  delete takeCentralWidget();  // at once: while it is there, its texts keep their letters with Alt
   language_ = deskLanguage();
   pages_ = new QStackedWidget(this);
   sessionPages_ = new QStackedWidget(this);

@@ -91,6 +91,29 @@ class HomeTest : public testing::Test {
   SystemClock clock_;
 };
 
+/// The texts of all buttons of @p window, with the letters that choose them with Alt.
+QStringList buttonTexts(const QWidget& window) {
+  QStringList texts;
+  for (const auto* button : window.findChildren<QPushButton*>()) texts << button->text();
+  texts.sort();
+  return texts;
+}
+
+TEST_F(HomeTest, HasTheSameLettersWithAltAfterAChangeOfLanguageAsFromTheStart) {
+  const auto shownAs = [](HomeWindow& home, const char* language) {
+    setDeskLanguage(language);
+    home.show();
+    QTest::qWait(100);
+    return buttonTexts(home);
+  };
+  HomeWindow changed;
+  shownAs(changed, "en");
+  const auto after = shownAs(changed, "de");
+  HomeWindow german;
+  EXPECT_EQ(after, shownAs(german, "de"));
+  setDeskLanguage("en");
+}
+
 TEST_F(HomeTest, SpeaksTheLanguageThatIsChosenAndRemembersIt) {
   const QString folder = makeStudy("one");
   HomeWindow home;
