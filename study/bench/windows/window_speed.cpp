@@ -72,7 +72,7 @@ void answerAll(gui::SessionController& controller, const SimulatedParticipant& p
   }
   while (session.step().kind == StepKind::Benchmark &&
          session.benchmarkCuts() < session.step().minimumCuts) {
-    controller.countBenchmarkCut();
+    controller.changeBenchmarkCuts(1);
   }
 }
 

@@ -132,7 +132,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   connect(sizes_, &QComboBox::currentIndexChanged, this, &PreviewWindow::chooseSize);
   connect(&stopKey_, &StopKey::pressed, this, [this] { previewSession_->controller.stop(); });
   connect(&cutKey_, &CutKey::pressed, this, [this] {
-    previewSession_->controller.countBenchmarkCut();
+    previewSession_->controller.changeBenchmarkCuts(1);
   });
 }
 

@@ -47,6 +47,7 @@ ControlPanel::ControlPanel(QWidget* parent)
       resume_(new QPushButton(tr("Continue"), this)),
       interviewDone_(new QPushButton(tr("Interview done"), this)),
       countCut_(new QPushButton(tr("Count a cut (F9)"), this)),
+      uncountCut_(new QPushButton(tr("One less"), this)),
       handOver_(new QPushButton(tr("Hand over…"), this)),
       consent_(new QPushButton(tr("Consent copy…"), this)),
       close_(new QPushButton(tr("Close session"), this)),
@@ -94,7 +95,8 @@ QWidget* ControlPanel::makeButtons() {
   countCut_->setToolTip(tr("The participant has made a cut with the real instrument"));
   // At most one of "Save the trial", "Pause…" and "Continue" is shown, and of the other two.
   now_ = addGroup(
-      tr("Now"), {{saveTrial_, pause_, resume_, interviewDone_, countCut_}, {repeat, skip}});
+      tr("Now"),
+      {{saveTrial_, pause_, resume_, interviewDone_}, {countCut_, uncountCut_}, {repeat, skip}});
   addGroup(tr("Session"), {{handOver_, consent_}, {close_}});
   const auto withdraw =
       add(tr("Participant withdraws…"),
@@ -159,7 +161,10 @@ void ControlPanel::connectButtons() {
   });
   connect(interviewDone_, &QPushButton::clicked, this, &ControlPanel::interviewFinished);
   connect(countCut_, &QPushButton::clicked, this, [this] {
-    if (controller_ != nullptr) controller_->countBenchmarkCut();
+    if (controller_ != nullptr) controller_->changeBenchmarkCuts(1);
+  });
+  connect(uncountCut_, &QPushButton::clicked, this, [this] {
+    if (controller_ != nullptr) controller_->changeBenchmarkCuts(-1);
   });
   connect(note_, &QLineEdit::returnPressed, this, &ControlPanel::saveNote);
   connect(handOver_, &QPushButton::clicked, this, &ControlPanel::handOverRequested);
@@ -254,7 +259,8 @@ void ControlPanel::refresh() {
   saveTrial_->setVisible(isUnsaved);
   resume_->setVisible(isPaused);
   interviewDone_->setVisible(mayFinish && kind == StepKind::Interview);
-  countCut_->setVisible(mayFinish && kind == StepKind::Benchmark);
+  for (auto* button : {countCut_, uncountCut_})
+    button->setVisible(mayFinish && kind == StepKind::Benchmark);
   const bool isInSteps =
       isPaused || mayDo(SessionEvent::PausedSession) || mayDo(SessionEvent::SkippedStep);
   now_->setVisible(isRunning || isUnsaved || isInSteps);

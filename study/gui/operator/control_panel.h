@@ -80,6 +80,7 @@ class ControlPanel final : public QWidget {
   QPushButton* resume_;
   QPushButton* interviewDone_;
   QPushButton* countCut_;
+  QPushButton* uncountCut_;
   QPushButton* handOver_;
   QPushButton* consent_;
   QPushButton* close_;

@@ -64,7 +64,7 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   if (kComfortable.boundedTo(available) != kComfortable) setWindowState(Qt::WindowMaximized);
   connect(&stopKey_, &StopKey::pressed, this, &OperatorWindow::stop);
   connect(&cutKey_, &CutKey::pressed, this, [this] {
-    if (controller_) controller_->countBenchmarkCut();
+    if (controller_) controller_->changeBenchmarkCuts(1);
   });
 }
 
@@ -276,6 +276,7 @@ void OperatorWindow::followSession() {
   connect(session, &SessionController::stepChanged, this, &OperatorWindow::updateAll);
   connect(session, &SessionController::trialChanged, trial_, &TrialPanel::updateTrial);
   connect(session, &SessionController::trialChanged, controls_, &ControlPanel::updateTrial);
+  connect(session, &SessionController::benchmarkCutsChanged, controls_, &ControlPanel::refresh);
   connect(session, &SessionController::languageChanged, this, &OperatorWindow::useSessionLanguage);
   connect(session, &SessionController::failed, this, &OperatorWindow::showError);
   connect(session, &SessionController::aboutToLeave, this, [this] {

@@ -2,6 +2,7 @@
 
 #include <QVBoxLayout>
 
+#include "haptics/registry/device_kinds.h"
 #include "study/gui/session/session_controller.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
@@ -34,7 +35,7 @@ void StateLine::show(const QString& words, Health health) {
 
 void StateLine::showState(const SessionController* controller) {
   const bool isRunning = controller != nullptr && controller->isTrialRunning();
-  count_->setVisible(isRunning);
+  count_->hide();
   // Not during a trial: what is tried here takes room from its samples.
   if (!isRunning) disk_->setVisible(controller != nullptr && controller->isDiskAlmostFull());
   if (controller == nullptr) return show(tr("no session"), Health::NoForce);
@@ -53,6 +54,12 @@ void StateLine::showState(const SessionController* controller) {
     return show(tr("✖ trial not saved: no force"), Health::Bad);
   }
   const QString device = controller->deviceName();
+  const auto& step = session.step();
+  if (step.kind == StepKind::Benchmark) {
+    const auto& devices = session.protocol().protocol.devices;
+    const auto* kind = devices.empty() ? haptics::deviceKinds().front() : devices.front().kind;
+    showCount(session.benchmarkCuts(), step.minimumCuts, *kind);
+  }
   if (!isRunning) {
     const auto waits = tr("%1: no force yet").arg(device);
     return show(device.isEmpty() ? tr("no device needed now") : waits, Health::NoForce);
@@ -64,11 +71,16 @@ void StateLine::showState(const SessionController* controller) {
 }
 
 void StateLine::showCount(const SessionController& controller) {
-  const int made = controller.trialStatus().cuts;
-  const int asked = controller.session().step().minimumCuts;
+  showCount(
+      controller.trialStatus().cuts,
+      controller.session().step().minimumCuts,
+      controller.deviceKind());
+}
+
+void StateLine::showCount(int made, int asked, const haptics::devices::DeviceKind& device) {
   const auto counted = made > asked ? tr("%1 %3 (at least %2)") : tr("%1 of %2 %3");
-  const auto strokes = asText(controller.deviceKind().strokesName.in(deskLanguage()));
-  count_->setText(counted.arg(made).arg(asked).arg(strokes));
+  count_->setText(counted.arg(made).arg(asked).arg(asText(device.strokesName.in(deskLanguage()))));
+  count_->show();
 }
 
 }  // namespace study::gui

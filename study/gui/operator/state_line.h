@@ -3,6 +3,10 @@
 #include <QLabel>
 #include <QWidget>
 
+namespace haptics::devices {
+struct DeviceKind;
+}
+
 namespace study::gui {
 
 class SessionController;
@@ -26,6 +30,7 @@ class StateLine final : public QWidget {
   enum class Health { Good, NoForce, Bad };
 
   void show(const QString& words, Health health);
+  void showCount(int made, int asked, const haptics::devices::DeviceKind& device);
 
   QLabel* health_;
   QLabel* disk_;  ///< that the disk is almost full

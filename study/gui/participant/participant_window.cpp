@@ -476,7 +476,7 @@ QWidget* ParticipantWindow::makeBenchmark() {
       this);
   const auto show = [this, page] { page->setCuts(controller_.session().benchmarkCuts()); };
   connect(page, &BenchmarkPage::finishRequested, &controller_, &SessionController::finishStep);
-  connect(&controller_, &SessionController::benchmarkCutCounted, page, show);
+  connect(&controller_, &SessionController::benchmarkCutsChanged, page, show);
   show();
   return page;
 }

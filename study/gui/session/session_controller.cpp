@@ -96,10 +96,10 @@ void SessionController::retract(const QString& item) {
   emit notSaved(item);
 }
 
-void SessionController::countBenchmarkCut() {
+void SessionController::changeBenchmarkCuts(int by) {
   if (session_.isOver() || session_.step().kind != StepKind::Benchmark) return;
-  const auto count = [&] { session_.recordBenchmarkCuts(session_.benchmarkCuts() + 1); };
-  if (tryTo(count)) emit benchmarkCutCounted();
+  const int cuts = session_.benchmarkCuts() + by;
+  if (cuts >= 0 && tryTo([&] { session_.recordBenchmarkCuts(cuts); })) emit benchmarkCutsChanged();
 }
 
 void SessionController::finishStep() {

@@ -92,8 +92,9 @@ class SessionController final : public QObject {
  public slots:
   void answer(const study::GivenAnswer& answer);
   void retract(const QString& item);
-  /// Counts a cut with the physical tool; in other steps than a benchmark it does nothing.
-  void countBenchmarkCut();
+  /// Counts cuts with the physical tool; in other steps than a benchmark it does nothing.
+  /// @param by  1, or −1 if one was counted too many
+  void changeBenchmarkCuts(int by);
   void finishStep();
   /// Skips the optional repetition of a trial.
   void skipOptionalTrial();
@@ -128,7 +129,7 @@ class SessionController final : public QObject {
   void aboutToLeave();
   /// An answer or its removal could not be saved. failed() has given the reason.
   void notSaved(const QString& item);
-  void benchmarkCutCounted();
+  void benchmarkCutsChanged();
   /// The step or its state changed.
   void stepChanged();
   /// Emitted while a trial runs: there are new samples.

@@ -339,6 +339,24 @@ TEST_F(OperatorSession, ABreaksTimerEnablesNextOnItsOwnPageOnly) {
   EXPECT_FALSE(next->isEnabled());
 }
 
+TEST_F(OperatorSession, CountsTheCutsOfABenchmarkForTheOperatorToo) {
+  enrol();
+  goTo(StepKind::Benchmark);
+  const auto* count = window_.findChild<QLabel*>(QStringLiteral("count"));
+  EXPECT_TRUE(count->text().startsWith(QStringLiteral("0 of "))) << count->text().toStdString();
+  const auto press = [this](const char* button) {
+    QTest::mouseClick(buttonSaying(&window_, QString::fromUtf8(button)), Qt::LeftButton);
+  };
+  press("Count a cut (F9)");
+  press("Count a cut (F9)");
+  press("One less");
+  EXPECT_TRUE(count->isVisible());
+  EXPECT_TRUE(count->text().startsWith(QStringLiteral("1 of "))) << count->text().toStdString();
+  press("One less");
+  press("One less");
+  EXPECT_EQ(session().benchmarkCuts(), 0) << "not fewer than none";
+}
+
 /// Calls a function for the modal dialog in front until it returns true.
 class InFront {
  public:
