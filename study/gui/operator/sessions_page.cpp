@@ -171,6 +171,7 @@ void SessionsPage::addAction(QPushButton& button, QLabel& line) {
 
 QWidget* SessionsPage::makeEnrolment() {
   const auto& protocol = study_.protocol().protocol;
+  if (protocol.cohorts.size() > 1) cohort_->addItem(tr("Choose…"), QString());
   for (const auto& cohort : protocol.cohorts) {
     cohort_->addItem(cohortTitle(protocol, cohort.id), QString::fromStdString(cohort.id));
   }
@@ -201,6 +202,9 @@ QWidget* SessionsPage::makeEnrolment() {
   layout->addWidget(code_);
   layout->addWidget(enrol_);
   connect(mode_, &QComboBox::currentIndexChanged, this, &SessionsPage::showNextCode);
+  const auto enable = [this] { enrol_->setEnabled(!cohort_->currentData().toString().isEmpty()); };
+  connect(cohort_, &QComboBox::currentIndexChanged, this, enable);
+  enable();
   layout->addStretch(1);
   return card;
 }
@@ -215,6 +219,12 @@ void SessionsPage::resizeEvent(QResizeEvent* event) {
   table_->setMinimumHeight(isWide ? 0 : kLeastTableHeight);
   setMinimumHeights();
   fitColumns();
+}
+
+/// Each participant's cohort is chosen anew: the one before would be taken by mistake.
+void SessionsPage::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (!event->spontaneous()) cohort_->setCurrentIndex(0);
 }
 
 /// Hides columns of a narrow table: first the language, then the time and the run mode. The codes

@@ -45,6 +45,7 @@ class SessionsPage final : public QWidget {
   void closeRequested();
 
  protected:
+  void hideEvent(QHideEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:

@@ -109,6 +109,7 @@ TEST_F(OperatorSession, RefusesALiveSessionWithBlanksInTextsAndAsksBeforeAPilot)
       answer(*box);
     });
     look.start(20);
+    tests::chooseFirstCohort(window_);
     QTest::mouseClick(buttonSaying(&window_, QStringLiteral("New participant")), Qt::LeftButton);
     return shown;
   };

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QLineEdit>
@@ -25,6 +26,12 @@ using study::StepKind;
 using study::gui::AnswerSlider;
 using study::gui::OptionButtons;
 using study::gui::TrialPage;
+
+void chooseFirstCohort(study::gui::OperatorWindow& window) {
+  for (auto* box : window.findChildren<QComboBox*>()) {
+    if (box->accessibleName() == QStringLiteral("Cohort")) box->setCurrentIndex(1);
+  }
+}
 
 QPushButton* buttonSaying(QWidget* parent, const QString& text) {
   for (auto* button : parent->findChildren<QPushButton*>()) {

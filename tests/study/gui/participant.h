@@ -59,6 +59,9 @@ class Participant {
 /// Saves a picture of a window as NAME.png if PALPATE_PICTURES=FOLDER is set.
 void photograph(QWidget& window, const QString& name);
 
+/// Chooses the first cohort for the next participant.
+void chooseFirstCohort(study::gui::OperatorWindow& window);
+
 /// The visible button with @p text in @p parent; nullptr if there is none.
 QPushButton* buttonSaying(QWidget* parent, const QString& text);
 

@@ -186,6 +186,7 @@ TEST_F(ConnectedPunch, AsksBeforeASessionIfItsCheckFails) {
       answer(*question);
     });
     look.start(100);
+    tests::chooseFirstCohort(window);
     QTest::mouseClick(
         tests::buttonSaying(&window, QStringLiteral("New participant")), Qt::LeftButton);
     return asked;
