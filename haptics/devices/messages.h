@@ -135,6 +135,7 @@ inline constexpr auto kDeviceMessages = std::to_array<base::MessageKind>({
     {"check.simulated", "simulated device"},
     {"check.simulated.nothing", "nothing to connect"},
     {"check.connection", "connection"},
+    {"check.connection.failed", "failed"},
     {"check.none", "none"},
     {"check.faults", "faults"},
     {"check.clock", "clock against ours"},

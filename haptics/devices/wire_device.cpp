@@ -87,7 +87,7 @@ CheckResult WireDevice::noConnection(const DeviceError& error) {
   return {
       Finding::Fail,
       deviceMessage("check.connection"),
-      deviceMessage("check.none"),
+      deviceMessage("check.connection.failed"),
       error.messages().front()};
 }
 

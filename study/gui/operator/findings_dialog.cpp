@@ -56,7 +56,13 @@ FindingsDialog::FindingsDialog(
   buttons->addWidget(again);
   buttons->addWidget(close);
   for (auto* other : {again, start_}) other->setAutoDefault(false);
-  connect(again, &QPushButton::clicked, this, [this, checkAgain] { show(checkAgain()); });
+  connect(again, &QPushButton::clicked, this, [this, checkAgain] {
+    const auto found = checkAgain();
+    show(found);
+    if (start_->isHidden() || hasFailed(found)) return;
+    start_->setDefault(true);
+    start_->setFocus();
+  });
   connect(start_, &QPushButton::clicked, this, &QDialog::accept);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   constexpr int kAlmostAll = 1000;  // the table takes what its rows need, and the rest is empty

@@ -151,7 +151,10 @@ QString phaseTitle(const std::string& id) {
 }
 
 QString describe(const Step& step, const protocols::Labels& labels) {
-  const QString phase = phaseTitle(step.phase);
+  // A phase that is called as what it is has a name in every language.
+  const auto kind = nameOf(step.kind);
+  const bool isNamedAsKind = phaseTitle(step.phase) == phaseTitle(std::string(kind));
+  const auto phase = isNamedAsKind ? capitalised(deskText(kind)) : phaseTitle(step.phase);
   const auto alternative =
       QString::fromStdString(labels.nameOf(std::to_string(step.label), deskLanguage()));
   const auto filled = [&](const char* words) { return deskText(words).arg(phase, alternative); };

@@ -11,6 +11,7 @@
 
 #include "haptics/devices/device.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/messages.h"
 #include "study/model/messages.h"
 #include "study/model/run_mode.h"
