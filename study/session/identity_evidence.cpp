@@ -140,6 +140,12 @@ void recordIdentityFingerprints(Study& study, const storage::SessionRow& session
   noteRows(study, place.rowOf(""));
 }
 
+void removeNames(Study& study, const storage::SessionRow& session) {
+  study.retryWithReservedSpace(
+      [&] { study.identities().removeSession(session.participant, session.number); });
+  noteRows(study, session.participant + "/" + std::to_string(session.number) + "/");
+}
+
 std::string fingerprintsOf(Study& study, const std::string& participant) {
   std::string pairs;
   for (const auto& [row, fingerprint] : presentRows(study)) {

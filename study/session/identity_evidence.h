@@ -18,6 +18,10 @@ std::string fingerprintOf(
 /// a difference.
 void recordIdentityFingerprints(Study& study, const storage::SessionRow& session);
 
+/// Deletes the names that were given in a session, because its participant declines, and notes in
+/// the audit trail which rows of identity.db are gone.
+void removeNames(Study& study, const storage::SessionRow& session);
+
 /// The fingerprints of a participant's rows in identity.db, in the format of the event
 /// NotedIdentities ("name=fingerprint …"); empty if there are no rows.
 std::string fingerprintsOf(Study& study, const std::string& participant);

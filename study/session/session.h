@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,7 +83,8 @@ class Session {
   /// counts, although it is stored in identity.db.
   std::vector<std::string> missing() const;
 
-  /// Stores a new or a changed answer in one transaction.
+  /// Stores a new or a changed answer in one transaction. A name that is typed before the
+  /// yes to the consent is stored with that yes.
   /// @throws UserError  if this step does not ask the item, or the response is not valid for it.
   void record(const GivenAnswer& answer);
 
@@ -169,8 +171,13 @@ class Session {
   questionnaires::Item askedItem(const std::string& id) const;
   /// Where answers that name a person are stored in identity.db.
   storage::IdentityStore::Place place() const;
-  /// Stores an answer that names a person in identity.db, and its fingerprint in the audit trail.
+  /// Stores an answer that names a person. In the consent step it is only held until the
+  /// participant says yes.
   void storeIdentifying(const questionnaires::Item& item, const GivenAnswer& answer);
+  /// Stores a name in identity.db, and its fingerprint in the audit trail.
+  void storeName(const std::string& item, const std::string& text);
+  /// Stores the held names, if the answers given so far consent.
+  void storeHeldNames();
 
   Study& study_;
   storage::SessionRow row_;
@@ -178,7 +185,8 @@ class Session {
   const protocols::LoadedProtocol* protocol_;
   storage::Lease lease_;
   std::optional<Moment> lastMoment_;
-  std::vector<storage::Event> pendingEvents_;  ///< events of the present transaction
+  std::map<std::string, std::string> heldNames_;  ///< by item; typed before a yes to the consent
+  std::vector<storage::Event> pendingEvents_;     ///< events of the present transaction
   bool isCommitUnknown_ = false;  ///< whether the outcome of the last commit is unknown
 };
 

@@ -58,7 +58,8 @@ std::vector<std::string> Session::missing() const {
   auto missing = questionnaires::unansweredItems(asked, responses(answers()));
   std::erase_if(missing, [&](const std::string& id) {
     const auto* item = base::withId(asked, id);
-    return item != nullptr && item->isIdentifying && study_.identities().has(place(), id);
+    if (item == nullptr || !item->isIdentifying) return false;
+    return heldNames_.contains(id) || study_.identities().has(place(), id);
   });
   return missing;
 }
@@ -105,22 +106,37 @@ void Session::record(const GivenAnswer& answer) {
     appendEvent(
         Actor::Participant, EventKind::Answered, storage::valuesOf(inStoredForm(item, answer)));
   });
+  storeHeldNames();
 }
 
 void Session::storeIdentifying(const questionnaires::Item& item, const GivenAnswer& answer) {
   const auto* text = std::get_if<std::string>(&answer.response);
   require(text != nullptr, "'" + item.id + "' names a person and can only be a text.");
-  study_.retryWithReservedSpace(
-      [&] { study_.identities().put(place(), item.id, *text, utcNow()); });
-  base::NamedArguments values{{"item", item.id}, {"kept_apart", std::int64_t{1}}};
-  const auto fingerprint = fingerprintOf(study_, place(), item.id);
+  if (step().kind == StepKind::Consent && !gaveConsent()) {
+    heldNames_[item.id] = *text;
+  } else {
+    storeName(item.id, *text);
+  }
+}
+
+void Session::storeName(const std::string& item, const std::string& text) {
+  study_.retryWithReservedSpace([&] { study_.identities().put(place(), item, text, utcNow()); });
+  base::NamedArguments values{{"item", item}, {"kept_apart", std::int64_t{1}}};
+  const auto fingerprint = fingerprintOf(study_, place(), item);
   if (!fingerprint.empty()) values.emplace_back("fingerprint", fingerprint);
   transact([&] { appendEvent(Actor::Participant, EventKind::Answered, values); });
+}
+
+void Session::storeHeldNames() {
+  if (heldNames_.empty() || !gaveConsent()) return;
+  for (const auto& [item, text] : heldNames_) storeName(item, text);
+  heldNames_.clear();
 }
 
 void Session::retract(const std::string& id) {
   requireAnswerable();
   const auto item = askedItem(id);
+  heldNames_.erase(id);
   if (item.isIdentifying)
     study_.retryWithReservedSpace([&] { study_.identities().remove(place(), id); });
   transact([&] {

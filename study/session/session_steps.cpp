@@ -24,9 +24,14 @@ void Session::finishStep() {
             words::counted(static_cast<std::uint64_t>(present.minimumCuts), "cut is", "cuts are") +
             " needed first.");
   }
+  const bool isConsent = present.kind == StepKind::Consent;
+  const bool isDeclined = isConsent && !gaveConsent();
+  if (isDeclined) {
+    heldNames_.clear();
+    removeNames(study_, row_);
+  }
   transact([&] {
-    const bool isConsent = present.kind == StepKind::Consent;
-    if (isConsent && !gaveConsent()) {
+    if (isDeclined) {
       leaveStep(VisitStatus::Finished, "");
       enter(SessionEvent::DeclinedConsent, Actor::Participant);
       end(SlotState::Released, "declined");

@@ -180,6 +180,16 @@ void IdentityStore::remove(const Place& place, const std::string& item) {
   transaction.commit();
 }
 
+void IdentityStore::removeSession(const std::string& participant, int sessionNumber) {
+  // With this setting SQLite overwrites deleted content with zeros; in Debian it is the default.
+  database_.execute("PRAGMA secure_delete = ON");
+  Transaction transaction(database_);
+  Statement remove(
+      database_, "DELETE FROM identifying_answer WHERE participant = ? AND session_number = ?");
+  remove.bindAll(participant, sessionNumber).run();
+  transaction.commit();
+}
+
 bool IdentityStore::has(const Place& place, const std::string& item) const {
   for (const auto& row : nameRows(database_, place.participant)) {
     if (row.place.rowOf(row.item) != place.rowOf(item)) continue;

@@ -40,6 +40,8 @@ class IdentityStore {
       const Place& place, const std::string& item, const std::string& text, const std::string& utc);
   /// Deletes an answer in one transaction.
   void remove(const Place& place, const std::string& item);
+  /// Deletes all answers of a participant's session in one transaction.
+  void removeSession(const std::string& participant, int sessionNumber);
   /// Whether the answer is stored. @throws StorageError  if names are locked.
   bool has(const Place& place, const std::string& item) const;
 

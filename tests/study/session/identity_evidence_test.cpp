@@ -99,5 +99,71 @@ TEST_F(IdentityEvidence, NotesWhatACrashLeftWhenTheSessionGoesOn) {
   EXPECT_EQ(problems(), "");
 }
 
+/// A participant gives a name in a form before the consent, and signs the consent form.
+class NamesBeforeConsent : public testing::Test {
+ protected:
+  static std::string protocol() {
+    auto json = tests::protocolWithEverything();
+    const std::string phases = R"("phases": [)";
+    return json.insert(
+        json.find(phases) + phases.size(),
+        R"({"id": "first", "type": "form", "instrument": "everything"},)");
+  }
+
+  void SetUp() override {
+    tests::passStep(session_);
+    session_.record({.item = "signature", .response = std::string("Ada"), .itemOrder = 9});
+  }
+
+  void consent(const std::string& answer) {
+    session_.record({.item = "consent", .response = answer, .itemOrder = 1});
+  }
+
+  std::vector<std::string> kept() {
+    std::vector<std::string> items;
+    for (const auto& name : study_->identities().names()) items.push_back(name.item);
+    return items;
+  }
+
+  tests::MadeStudy study_{
+      tests::protocolFrom(protocol(), {{"everything.json", tests::everythingInstrument()}})};
+  Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
+};
+
+TEST_F(NamesBeforeConsent, AreGoneOnceItIsRefused) {
+  consent("no");
+  EXPECT_EQ(kept(), std::vector<std::string>{"name"}) << "a signature waits for a yes";
+  session_.finishStep();
+  EXPECT_EQ(session_.state(), SessionState::Declined);
+  EXPECT_TRUE(kept().empty());
+  EXPECT_TRUE(verify(*study_).isSound());
+  const auto noted = study_->events().read(EventKind::NotedIdentities);
+  ASSERT_EQ(noted.size(), 1U);
+  EXPECT_EQ(storage::describe(noted[0]), "P001/1/0/1/name=-") << "which is gone, and no name";
+}
+
+TEST_F(NamesBeforeConsent, AreGoneIfAYesBecomesANo) {
+  consent("yes");
+  consent("no");
+  session_.finishStep();
+  EXPECT_TRUE(kept().empty());
+  EXPECT_TRUE(verify(*study_).isSound());
+}
+
+TEST_F(NamesBeforeConsent, AreKeptOnceItIsGiven) {
+  EXPECT_EQ(session_.missing(), std::vector<std::string>{"consent"});
+  consent("yes");
+  EXPECT_EQ(kept(), (std::vector<std::string>{"name", "signature"}));
+  session_.finishStep();
+  EXPECT_TRUE(verify(*study_).isSound());
+}
+
+TEST_F(NamesBeforeConsent, AreNotKeptIfRetracted) {
+  session_.retract("signature");
+  consent("yes");
+  session_.finishStep();
+  EXPECT_EQ(kept(), std::vector<std::string>{"name"});
+}
+
 }  // namespace identity_evidence_test
 }  // namespace study

@@ -89,12 +89,13 @@ TEST(Locked, IdentitiesRefuseTheAnswer) {
   auto session = Session::enrol(*study, {.cohort = "surgeons"});
   const auto signature = session.items().back();
   ASSERT_TRUE(signature.isIdentifying);
+  session.record(tests::answerTo(session, session.items().front()));  // a name waits for a yes
   tests::Sql other(study.file("identity.db"));
   other.run("BEGIN IMMEDIATE");
   const auto refusal =
       tests::refusalOf([&] { session.record(tests::answerTo(session, signature)); });
   EXPECT_EQ(refusal.kind, Kind::Busy);
-  EXPECT_EQ(tests::eventsOf(*study, session.id()), "enrolled");
+  EXPECT_EQ(tests::eventsOf(*study, session.id()), "enrolled answered");
   other.run("ROLLBACK");
   session.record(tests::answerTo(session, signature));
 }
