@@ -28,7 +28,8 @@ std::string asLine(const ListedErasure& erasure) {
 std::optional<ListedErasure> listedErasureIn(const std::string& line) {
   std::vector<std::string> fields;
   std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, '\t');) fields.push_back(field);
+  // A mail program or an editor may have put blanks in place of tabs; no field has blanks.
+  for (std::string field; stream >> field;) fields.push_back(field);
   if (fields.size() != kFieldCount) return std::nullopt;
   const auto level = erasureLevelNamed(fields[3]);
   if (!level) return std::nullopt;

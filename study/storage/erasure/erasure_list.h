@@ -22,7 +22,8 @@ struct ListedErasure {
 
 /// The erasure as one line of text, without names.
 std::string asLine(const ListedErasure& erasure);
-/// Parses a line of asLine(); std::nullopt for other text.
+/// Parses a line of asLine(), also with other blanks between its fields; std::nullopt for other
+/// text.
 std::optional<ListedErasure> listedErasureIn(const std::string& line);
 
 /// The erasures of a study in this station's list; empty if there is no list. @throws StorageError

@@ -241,7 +241,7 @@ TEST_F(ErasureTest, FingerprintsOfReportsTellNothingWithoutTheKeyOfTheStudy) {
 TEST(ErasureList, ReadsWhatItWrote) {
   const storage::ListedErasure erasure{
       .study = "1a2b",
-      .participant = "P 001",
+      .participant = "P001",
       .enrolledUtc = "then",
       .level = ErasureLevel::Answers,
       .utc = "now"};
