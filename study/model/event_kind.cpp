@@ -46,6 +46,7 @@ constexpr std::array<EventFacts, kKnownKinds> kFacts{
     EventFacts{
         "copied_forms", {"{forms} forms of the library", "forms", "{forms} form of the library"}},
     EventFacts{"copied_consent", {"of {participant}"}},
+    EventFacts{"showed_names", {"{names} names", "names", "{names} name"}},
     EventFacts{"finished_step"},
     EventFacts{"gave_consent"},
     EventFacts{"declined_consent"},

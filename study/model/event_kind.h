@@ -38,6 +38,7 @@ enum class EventKind {
   SealedNames,    ///< names were sealed with a passphrase, or with a new one; with the reason
   CopiedForms,    ///< forms of the library were copied into a study of an older release
   CopiedConsent,  ///< a copy of a participant's consent form was written
+  ShowedNames,    ///< somebody was shown the names that participants gave
 
   // What can happen to a session, in the order of SessionEvent
   FinishedStep,

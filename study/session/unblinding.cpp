@@ -10,6 +10,9 @@ const std::string_view kCopyNotNoted =
     "The study cannot be written, so that this copy is not in its list of copies: an erasure will "
     "not name it. Write down where it is.";
 
+const std::string_view kNamesNotNoted =
+    "The study cannot be written, so that its audit trail does not say that the names were shown.";
+
 bool noteCopy(Study& study, const storage::Event& event) {
   try {
     if (study.isWritable()) {
@@ -62,6 +65,15 @@ bool recordConsentCopy(Study& study, const std::string& participant) {
       {.actor = storage::Actor::Operator,
        .kind = EventKind::CopiedConsent,
        .values = {{"participant", participant}}});
+}
+
+bool recordNamesShown(Study& study, std::size_t names) {
+  if (names == 0) return true;
+  return noteCopy(
+      study,
+      {.actor = storage::Actor::Operator,
+       .kind = EventKind::ShowedNames,
+       .values = {{"names", base::asArgument(names)}}});
 }
 
 std::string fingerprintOf(Study& study, std::string_view content) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -47,6 +48,14 @@ bool recordReportPath(
 /// file may name a person, and the trail is never deleted.
 /// @return  as noteCopy()
 bool recordConsentCopy(Study& study, const std::string& participant);
+
+/// Notes in the audit trail that @p names of participants are shown, so that it can be told later
+/// when they were seen. Does nothing if there are none.
+/// @return  as noteCopy()
+bool recordNamesShown(Study& study, std::size_t names);
+
+/// The message about names whose showing could not be noted in the audit trail.
+extern const std::string_view kNamesNotNoted;
 
 /// A hash of a file that the program writes; keyed with the study's key if conditions are sealed.
 /// With an unkeyed hash, readers of the audit trail could compute the report for each possible

@@ -14,6 +14,7 @@
 #include "study/model/user_error.h"
 #include "study/report/erasure_certificate.h"
 #include "study/session/study_key.h"
+#include "study/session/unblinding.h"
 #include "study/storage/erasure/erasure_list.h"
 #include "study/words/words.h"
 
@@ -130,10 +131,12 @@ int names(const ErasureArguments& options) {
   auto study = Study::open(options.folder, storage::Database::Access::ReadOnly);
   askForNamesIfLocked(study);
   const auto names = study.identities().names();
+  const bool isNoted = recordNamesShown(study, names.size());
   for (const auto& name : names) {
     fmt::print("{:<12} {:<20} {}\n", name.participant, name.item, name.text);
   }
   if (names.empty()) fmt::print("This study keeps no names.\n");
+  if (!isNoted) fmt::print("{}\n", kNamesNotNoted);
   return 0;
 }
 
@@ -193,8 +196,12 @@ void addErasureCommands(CLI::App& parentCommand, Action& action) {
   for (auto* option : {participant, level, reason, reseal, also, certificate})
     certificateToRepeat->excludes(option);
 
-  auto [names, naming] =
-      addCommand(parentCommand, action, "names", "List names by participant code", app::names);
+  auto [names, naming] = addCommand(
+      parentCommand,
+      action,
+      "names",
+      "List names by participant code (recorded in the audit trail)",
+      app::names);
   addStudyFolder(*names, naming.folder);
   auto* sets = names->add_flag(
       "--set-passphrase",

@@ -14,6 +14,7 @@
 #include "study/model/new_file.h"
 #include "study/model/storage_error.h"
 #include "study/report/pdf_report.h"
+#include "study/session/unblinding.h"
 #include "study/words/words.h"
 
 namespace study::gui {
@@ -31,7 +32,9 @@ std::map<std::string, std::string> namesByCode(Study& study) {
     }
   }
   if (study.identities().isLocked()) return people;
-  for (const auto& name : study.identities().names()) {
+  const auto shown = study.identities().names();
+  recordNamesShown(study, shown.size());
+  for (const auto& name : shown) {
     if (simulated.contains(name.participant)) continue;
     auto& names = people[name.participant];  // also of one whose answers are erased
     names += (names.empty() ? "" : ", ") + name.text;

@@ -40,6 +40,7 @@ constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {EventKind::SealedNames, "sealed_names"},
     {EventKind::CopiedForms, "copied_forms"},
     {EventKind::CopiedConsent, "copied_consent"},
+    {EventKind::ShowedNames, "showed_names"},
     {kindOf(SessionEvent::FinishedStep), "finished_step"},
     {kindOf(SessionEvent::GaveConsent), "gave_consent"},
     {kindOf(SessionEvent::DeclinedConsent), "declined_consent"},
