@@ -27,6 +27,7 @@ std::string describe(const protocols::SceneDataSource& source, const ExportOptio
 /// The number of sessions in the folder, and their run mode.
 std::string sessionsInWords(const ExportOptions& options, std::size_t sessions) {
   const std::string mode = options.runMode ? std::string(nameOf(*options.runMode)) + " " : "";
+  if (!options.participant.empty()) return "Sessions of " + options.participant + " alone.";
   if (sessions == 0) return "No " + mode + "session is in this folder: its tables are empty.";
   std::string words = words::counted(sessions, mode + "session") +
                       (options.runMode ? ", and no others." : "; `run_mode` says of each.");
@@ -113,7 +114,7 @@ std::string scriptsInWords(const ExportOptions& options, const FolderContents& c
     const auto* program = path.ends_with(".R") ? "Rscript " : "python3 ";
     text += "- `" + path + "` (`" + program + path + "`) " + script->purpose + "\n";
   }
-  if (options.publicClassSize) return text;
+  if (options.publicClassSize || !options.participant.empty()) return text;
   if (options.isBlinded) {
     if (contents.scripts.empty()) return text;
     return text +
@@ -253,7 +254,7 @@ std::string readmeOf(Study& study, const ExportOptions& options, const FolderCon
   std::string text = "# " + study.protocol().protocol.study.title + "\n\n" +
                      "Exported by palpate " + std::string(appVersion()) + ".\n\n" + "- " +
                      sessionsInWords(options, contents.sessions) + "\n" + formatInWords(options);
-  text += identifiabilityInWords(study, options);
+  if (options.participant.empty()) text += identifiabilityInWords(study, options);
   text += detailInWords(options);
   if (namesItsStudy(options)) {
     text += "- The study's audit trail had " + study.events().headAsText() +

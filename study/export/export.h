@@ -37,6 +37,7 @@ struct ExportOptions {
   /// Name of the set of condition codes (study/export/condition_codes.h); empty: exportStudy()
   /// draws a new one, except for public exports, which all use one set.
   std::string codes = {};
+  std::string participant = {};  ///< code of the only participant to export; empty: all
   /// For a public export: k, the smallest allowed number of people with equal quasi-identifiers
   /// (study/export/public_tables.h). Everything else that could identify a person is left out.
   /// std::nullopt: not a public export.
@@ -47,6 +48,9 @@ struct ExportOptions {
 
 /// The smallest allowed k of a public export, and its default.
 inline constexpr std::size_t kSmallestPublicClassSize = 5;
+
+/// Whether the export has the sessions of that participant and run mode.
+bool isExported(const ExportOptions& options, const storage::SessionRow& session);
 
 /// All data for analyses, as tables: sessions, responses, texts, trials, cuts, events. A blinded
 /// export has sessions, responses and texts only, without values that depend on the rendering.

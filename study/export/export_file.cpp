@@ -137,6 +137,8 @@ bool noteFolder(Study& study, const fs::path& target, const ExportOptions& optio
           {"run_mode", std::string(options.runMode ? nameOf(*options.runMode) : "all")},
           {"folder", pathForAuditTrail(target)}}};
   if (!options.codes.empty()) exported.values.emplace_back("codes", options.codes);
+  if (!options.participant.empty())
+    exported.values.emplace_back("participant", options.participant);
   if (!isNoteRequired(options)) return noteCopy(study, exported);
   study.note(exported);
   return true;
@@ -167,7 +169,8 @@ bool noteExport(
 
 std::vector<std::string> writeScripts(const fs::path& folder, const ExportOptions& options) {
   std::vector<std::string> written;
-  const bool hasStatistics = !options.isBlinded && !options.publicClassSize;
+  const bool hasStatistics =
+      !options.isBlinded && !options.publicClassSize && options.participant.empty();
   for (const auto& file : exportScripts()) {
     const bool isReader = file.name.starts_with("read_");
     const bool isForR = file.name.ends_with(".R");

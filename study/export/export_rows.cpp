@@ -110,8 +110,7 @@ StudyRows::StudyRows(Study& study, const ExportOptions& options)
   }
   const storage::Records records(study.database());
   for (auto& session : records.sessions()) {
-    const bool isWanted = !options.runMode || session.runMode == *options.runMode;
-    if (isWanted) sessions_.emplace(session.id, std::move(session));
+    if (isExported(options, session)) sessions_.emplace(session.id, std::move(session));
   }
   answers_ = records.answers();
   trials_ = records.trials();

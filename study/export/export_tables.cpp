@@ -28,6 +28,11 @@ std::string blindingInWords(Study& study, const ExportOptions& options) {
   return "with codes for conditions but NOT blinded (" + base::describe(found) + ")";
 }
 
+bool isExported(const ExportOptions& options, const storage::SessionRow& session) {
+  return (!options.runMode || session.runMode == *options.runMode) &&
+         (options.participant.empty() || session.participant == options.participant);
+}
+
 Readers readersOf(Study& study, const ExportOptions& options) {
   return {
       .isBlinded = options.isBlinded,
@@ -64,7 +69,8 @@ std::vector<ExportedTable> tablesFor(Study& study, const ExportOptions& options)
     tables.push_back(exportedTable(
         wideTable(study.protocol()), wideRows(study.protocol(), rows.answers()), readers));
   }
-  if (!options.isBlinded && !options.publicClassSize) {
+  // The statistics are of all participants.
+  if (!options.isBlinded && !options.publicClassSize && options.participant.empty()) {
     const auto results = resultsFor(study, options);
     tables.push_back(statisticsTable(study, options, results));
     tables.push_back(votesTable(study, options, results));

@@ -79,8 +79,7 @@ std::size_t writeTraces(Study& study, const fs::path& folder, const ExportOption
   const storage::Records records(study.database());
   std::map<SessionId, storage::SessionRecord> sessions;
   for (auto& session : records.sessions()) {
-    const bool isWanted = !options.runMode || session.runMode == *options.runMode;
-    if (isWanted) sessions.emplace(session.id, session);
+    if (isExported(options, session)) sessions.emplace(session.id, session);
   }
   fs::create_directories(folder);
   auto& traces = study.traces();

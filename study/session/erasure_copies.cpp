@@ -198,7 +198,8 @@ std::vector<KnownCopy> knownCopies(Study& study) {
          .madeUtc = asUtc(event.when.wall),
          .isPresent = fs::exists(folder, ignored),
          .content = contentOf(study, folder, textIn(event, "fingerprint")),
-         .runMode = textIn(event, "run_mode")});
+         .runMode = textIn(event, "run_mode"),
+         .participant = textIn(event, "participant")});
     for (const auto& unfinished : unfinishedFoldersOf(folder)) {
       const bool isListed =
           std::ranges::any_of(copies, [&](const auto& copy) { return copy.folder == unfinished; });
@@ -227,9 +228,11 @@ std::vector<KnownCopy> copiesNotErased(
   auto known = knownCopies(study);
   const auto mode = runModeOf(study, participant);
   std::erase_if(known, [&](const KnownCopy& copy) {
-    return !mayHold(copy, mode) || std::ranges::any_of(done, [&](const ErasedCopy& other) {
-      return isSamePath(copy.folder, other.folder);
-    });
+    const bool isOfAnother = !copy.participant.empty() && copy.participant != participant;
+    return isOfAnother || !mayHold(copy, mode) ||
+           std::ranges::any_of(done, [&](const ErasedCopy& other) {
+             return isSamePath(copy.folder, other.folder);
+           });
   });
   for (const auto& event : study.events().read(EventKind::CopiedConsent)) {
     if (textIn(event, "participant") != participant) continue;

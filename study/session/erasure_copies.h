@@ -26,6 +26,7 @@ struct KnownCopy {
   /// Name of the run mode of the sessions in an export or a report; empty for backups and exports
   /// without an event, "all" for all. They have the data of no session of another run mode.
   std::string runMode = {};
+  std::string participant = {};  ///< the only one in an export; empty: all
 };
 
 /// Backups, exports and reports that the audit trail lists, the folders that programs left beside
