@@ -33,6 +33,7 @@ void addPlanCommand(CLI::App& program, Action& action);
 // These add subcommands to the command that their first parameter is named after.
 void addConsentCommand(CLI::App& study, Action& action);
 void addErasureCommands(CLI::App& study, Action& action);
+void addPersonCommands(CLI::App& study, Action& action);
 void addEvidenceCommands(CLI::App& study, Action& action);
 void addKeyCommands(CLI::App& study, Action& action);
 void addStudyTextsCommand(CLI::App& study, Action& action);

@@ -375,6 +375,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
   addStudyTextsCommand(parentCommand, action);
   addConsentCommand(parentCommand, action);
   addErasureCommands(parentCommand, action);
+  addPersonCommands(parentCommand, action);
 }
 
 }  // namespace study::app

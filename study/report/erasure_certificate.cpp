@@ -64,7 +64,7 @@ class CertificateRows {
       rows.emplace_back(words_("Copy"), copy.folder + ": " + outcomeOf(copy));
     }
     for (const auto& copy : certificate_.notErasedFrom) {
-      rows.emplace_back(words_("Copy that is left"), knownCopyInWords(copy));
+      rows.emplace_back(words_("Copy that is left"), report::inWords(copy, words_));
     }
     if (!report.stationToPush.empty()) {
       rows.emplace_back(words_("The study's server"), leftOnServer());
@@ -111,17 +111,6 @@ class CertificateRows {
     return words_("erased") + "; " + searchResultIn(copy.filesWithTexts);
   }
 
-  std::string knownCopyInWords(const KnownCopy& copy) const {
-    if (copy.folder.empty()) {
-      return words_.say(
-          "the consent form, of {}; where it was saved is not noted, because files may be named "
-          "after people",
-          copy.madeUtc);
-    }
-    return copy.folder + (copy.madeUtc.empty() ? "" : words_.say(", of {}", copy.madeUtc)) +
-           (copy.isPresent ? "" : " " + words_("(not on this computer now)"));
-  }
-
   std::string leftOnServer() const {
     const auto& report = certificate_.report;
     return report.isInPulledFolder
@@ -139,6 +128,17 @@ class CertificateRows {
 };
 
 }  // namespace
+
+std::string inWords(const KnownCopy& copy, const words::Words& words) {
+  if (copy.folder.empty()) {
+    return words.say(
+        "the consent form, of {}; where it was saved is not noted, because files may be named "
+        "after people",
+        copy.madeUtc);
+  }
+  return copy.folder + (copy.madeUtc.empty() ? "" : words.say(", of {}", copy.madeUtc)) +
+         (copy.isPresent ? "" : " " + words("(not on this computer now)"));
+}
 
 bool ErasureCertificate::isClean() const {
   return report.filesWithTexts.empty() &&

@@ -26,6 +26,9 @@ std::string asText(const ErasureCertificate& certificate, const words::Words& wo
 /// The certificate as an HTML page.
 std::string asHtml(const ErasureCertificate& certificate, const words::Words& words = {});
 
+/// Where and when a copy was made, and whether it is there now.
+std::string inWords(const KnownCopy& copy, const words::Words& words = {});
+
 /// Reads the erasures from asText() of a certificate; empty if there is none.
 std::vector<storage::ListedErasure> erasuresIn(const std::string& text);
 
