@@ -25,6 +25,7 @@ struct ServerArguments {
   std::string study;
   std::string protocol;
   std::string station;
+  std::string participant;
   std::string site;
   std::string name;
   std::string key;
@@ -152,6 +153,25 @@ int setAside(const ServerArguments& arguments) {
   return 0;
 }
 
+int eraseFromServer(const ServerArguments& arguments) {
+  auto server = connectionTo(arguments.server);
+  const auto receipts = withRole(server, kOwner, [&] {
+    requireSchema(server);
+    return eraseParticipant(
+        server,
+        findStudy(server, arguments.study).uuid,
+        arguments.station,
+        arguments.participant,
+        arguments.reason);
+  });
+  for (const auto& receipt : receipts) fmt::print("{}\n", wordsFor(receipt));
+  fmt::print(
+      "Folders that were pulled before, and backups, still have the participant: palpate study "
+      "erase FOLDER --participant {} --reason \"…\", in each.\n",
+      arguments.participant);
+  return 0;
+}
+
 int ingestFile(const ServerArguments& arguments) {
   auto server = connectionTo(arguments.server);
   const auto ingested = withRole(server, kOwner, [&] {
@@ -254,6 +274,19 @@ void addServerCommands(CLI::App& program, Action& action) {
       setAside);
   addStudyAndStation(*aside, setting);
   aside->add_option("--reason", setting.reason, "Reason for doing so; it is kept on the server")
+      ->required();
+
+  auto [gone, erasing] = app::addCommand(
+      program,
+      action,
+      "erase",
+      "Erase a participant of a lost station from the server; the station must be revoked",
+      eraseFromServer);
+  addStudyAndStation(*gone, erasing);
+  gone->add_option("--participant", erasing.participant, "Participant code")
+      ->type_name("CODE")
+      ->required();
+  gone->add_option("--reason", erasing.reason, "Reason, without a name; it is kept on the server")
       ->required();
 }
 

@@ -300,4 +300,57 @@ IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& fil
   return taken;
 }
 
+std::vector<ErasureReceipt> eraseParticipant(
+    Connection& server,
+    const std::string& study,
+    const std::string& label,
+    const std::string& participant,
+    const std::string& reason) {
+  const auto station = server.query(
+      "SELECT uuid, id FROM palpate.station WHERE study = $1 AND label = $2 AND revoked IS NOT "
+      "NULL",
+      {study, label});
+  if (station.isEmpty()) {
+    throw UserError(
+        "There is no revoked station named '" + label +
+        "' in this study. While a station can push, erase there ('palpate study erase', then "
+        "'palpate collect push'). Revoke one that is lost first.");
+  }
+  const std::string theirs = " station = $1::integer AND participant = $2";
+  const std::vector<Parameter> of{station.number(0, 1), participant};
+  const auto sessions = server.query("SELECT number FROM palpate.session WHERE" + theirs, of);
+  if (sessions.isEmpty()) {
+    throw UserError(
+        "The server has no session of '" + participant + "' of the station '" + label + "'.");
+  }
+  inTransaction(server, [&] {
+    server.query(
+        "SELECT palpate.forget(s, x.number, x.participant, x.as_of) FROM palpate.station AS s JOIN "
+        "palpate.session AS x ON x.station = s.id WHERE s.id = $1::integer AND x.participant = $2",
+        of);
+    server.query(
+        "DELETE FROM palpate.answer WHERE station = $1::integer AND number IN (SELECT number FROM "
+        "palpate.session WHERE" +
+            theirs + ")",
+        of);
+    server.query("DELETE FROM palpate.session WHERE" + theirs, of);
+    addIncident(server, station.text(0, 0), "erased", participant + ": " + reason);
+  });
+  const auto done = server.query(
+      "SELECT x.number, to_char(x.erased AT TIME ZONE 'UTC', 'YYYY-MM-DD\"T\"HH24:MI:SS.MS\"Z\"'), "
+      "palpate.left_of(s, x.number, x.participant) FROM palpate.tombstone AS x JOIN "
+      "palpate.station AS s ON s.id = x.station WHERE s.id = $1::integer AND x.participant = $2 "
+      "ORDER BY 1",
+      of);
+  std::vector<ErasureReceipt> receipts;
+  for (int i = 0; i < done.count(); ++i) {
+    receipts.push_back(
+        {.session = done.number(i, 0),
+         .participant = participant,
+         .utc = done.text(i, 1),
+         .left = done.number(i, 2)});
+  }
+  return receipts;
+}
+
 }  // namespace study::collect

@@ -56,6 +56,20 @@ struct EnrolledStation {
 /// invalid (it must not contain a password), or there is a station of that name already.
 EnrolledStation enrolStation(Connection& server, const EnrolmentRequest& request);
 
+/// Erases a participant of a revoked station from the server: rows, samples and the key of what the
+/// trail says. For a station that is lost; else it is erased there, and pushed. The erasure and its
+/// reason are kept as an incident.
+/// @param study  its uuid
+/// @return  a receipt for each session
+/// @throws UserError  if the station is not revoked, or the server has no such participant of it.
+///     @throws ServerError
+std::vector<ErasureReceipt> eraseParticipant(
+    Connection& server,
+    const std::string& study,
+    const std::string& label,
+    const std::string& participant,
+    const std::string& reason);
+
 /// The result of ingestBundle().
 struct IngestedBundle {
   std::string station;         ///< label

@@ -288,6 +288,33 @@ TEST_F(Privacy, WhoIsErasedIsErasedFromWhatWasSetAside) {
   EXPECT_EQ(count("content_key"), 2);
 }
 
+TEST_F(Privacy, AParticipantOfALostStationIsErasedOnTheServerAlone) {
+  const auto code = takePart();
+  const auto other = takePart();
+  push("oslo");
+  auto owner = admin();
+  const auto uuid = study::collect::findStudy(owner, "short").uuid;
+  const auto eraseThere = [&](const std::string& who) {
+    return study::collect::eraseParticipant(owner, uuid, "oslo", who, "asked for it");
+  };
+  EXPECT_THROW(eraseThere(code), study::UserError) << "the station can push";
+  study::collect::revokeStation(owner, uuid, "oslo", "stolen");
+  EXPECT_THROW(eraseThere("oslo_P009"), study::UserError);
+  const auto before = timesIn(everythingOnTheServer(), kReason);
+  const auto receipts = eraseThere(code);
+  ASSERT_EQ(receipts.size(), 1U);
+  EXPECT_EQ(receipts[0].left, 0);
+  EXPECT_EQ(timesIn(everythingOnTheServer(), kReason), before / 2) << "of the other one";
+  EXPECT_EQ(count("session"), 1);
+  EXPECT_EQ(count("content_key"), 1);
+  EXPECT_EQ(incidents().front(), "erased");
+  const auto pulled = pull();
+  EXPECT_TRUE(pulled.isSound());
+  EXPECT_EQ(pulled.stations.at(0).sessions, 1U);
+  auto study = Study::open(folderOfPull(), clock_);
+  EXPECT_EQ(study.sessions().all().at(0).participant, other);
+}
+
 TEST_F(Privacy, AReceiptOfASessionIsListedOnce) {
   const auto account = accountOf("oslo");
   const study::ErasureReceipt receipt{
