@@ -66,6 +66,7 @@ PinDialog::PinDialog(QWidget* parent)
       problemLabel_(quietLabel({}, this)) {
   setWindowTitle(tr("A PIN for this screen"));
   auto* layout = new QVBoxLayout(this);
+  layout->setSizeConstraint(QLayout::SetFixedSize);  // always as large as its words need
   auto* words = addBoxWords(
       *layout,
       MessageRow::Kind::Question,

@@ -117,16 +117,11 @@ MessageBox::MessageBox(
   paragraphs.removeAll(QString());
   words_ = QStringList(headline) + paragraphs;
   auto* layout = new QVBoxLayout(this);
+  layout->setSizeConstraint(QLayout::SetFixedSize);  // always as large as its words need
   column_ = addBoxWords(*layout, row.kind, headline, paragraphs, *this);
   if (row.field != MessageRow::Field::None) addField(row);
   addButtons(row);
   updateButtons();
-}
-
-/// High enough for words that wrap: before they had the theme's font they were measured too low.
-void MessageBox::showEvent(QShowEvent* event) {
-  QDialog::showEvent(event);
-  resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
 }
 
 void MessageBox::addField(const MessageRow& row) {

@@ -44,9 +44,6 @@ class MessageBox final : public QDialog {
   /// Adds a widget below the words.
   void add(QWidget& widget);
 
- protected:
-  void showEvent(QShowEvent* event) override;
-
  private:
   void addField(const MessageRow& row);
   void addButtons(const MessageRow& row);

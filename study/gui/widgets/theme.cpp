@@ -57,7 +57,7 @@ QPushButton { color: @field.text; background: @field; border: 2px solid @border;
               padding: 6px 16px; min-height: 24px; }
 QPushButton, QCheckBox { outline: none; }
 QPushButton:hover { border-color: @accent; }
-QPushButton:focus { border: 3px solid @focus; }
+QPushButton:focus { border: 3px solid @focus; padding: 5px 15px; }
 QPushButton:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QPushButton:checked { color: @accent.text; background: @accent; border-color: @accent; }
 QPushButton:checked:focus { border: 6px double @accent.text; padding: 2px 12px; }
@@ -94,6 +94,7 @@ QLineEdit[role="number"] { font-size: 18px; min-width: 120px; max-width: 120px; 
 QPlainTextEdit[role="answer"] { min-height: 110px; }
 QSlider[role="answer"] { min-height: 56px; }
 QPushButton[role="tool"] { min-height: 21px; padding: 5px 10px; }
+QPushButton[role="tool"]:focus { padding: 4px 9px; }
 QPushButton[role="tool"]:checked:focus { padding: 1px 6px; }
 QPushButton[role="stop"] { color: @stop.text; background: @stop; border-color: @stop; font-size: 24px;
                            font-weight: 700; min-height: 64px; }

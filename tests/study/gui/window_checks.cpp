@@ -222,7 +222,7 @@ bool hasRoomForItsWords(const QWidget& widget) {
   if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
     if (label->text().isEmpty()) return true;
     if (!label->wordWrap()) return label->sizeHint().width() <= label->width() + kRounding;
-    return label->heightForWidth(label->width()) <= label->height() + kRounding;
+    return label->heightForWidth(label->width()) <= label->height();
   }
   if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
     return button->text().isEmpty() || button->sizeHint().width() <= button->width() + kRounding;

@@ -518,6 +518,26 @@ TEST_F(MessageWalk, HasNoFlawInAnyMessageInAnyLanguage) {
   }
 }
 
+TEST_F(MessageWalk, HasRoomForLongWordsInEveryLanguageAndTheme) {
+  const QString path = QStringLiteral("/media/anna/A disk with a long name/studies of this year");
+  for (const auto& language : words::languages()) {
+    setDeskLanguage(language);
+    for (const auto& row : messages()) {
+      MessageBox box(row.topic, {path, path}, path + QStringLiteral(" cannot be read. ") + path);
+      box.show();
+      box.activateWindow();
+      for (const auto theme : {ThemeName::Dark, ThemeName::Light}) {
+        QApplication::processEvents();
+        for (const auto* label : box.findChildren<QLabel*>()) {
+          EXPECT_GE(label->height(), label->heightForWidth(label->width()))
+              << language << ": " << label->text().toStdString();
+        }
+        applyTheme(*qobject_cast<QApplication*>(QApplication::instance()), theme);
+      }
+    }
+  }
+}
+
 TEST_F(MessageWalk, SaysWhatHappenedAndWhatItMeansAndLeavesTheSafeButtonTheDefault) {
   for (const auto& row : messages()) {
     const auto box = boxOf(row);

@@ -85,20 +85,6 @@ TEST(BackgroundTask, HasNoCancelButtonIfItCannotBeCancelled) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !task.isVisible(); }));
 }
 
-TEST(MessageBox, HasRoomForWordsThatWrap) {
-  MessageBox box(
-      MessageTopic::ReportNotWritten,
-      {},
-      QStringLiteral("~/reports/punch.html cannot be written: the disk is full. Free some space "
-                     "and try again."));
-  box.show();
-  QCoreApplication::processEvents();
-  for (const auto* label : box.findChildren<QLabel*>()) {
-    EXPECT_GE(label->height(), label->heightForWidth(label->width()))
-        << label->text().toStdString();
-  }
-}
-
 TEST(BackgroundTask, ShowsTheMessageOfTheException) {
   QString told;
   QTimer look;

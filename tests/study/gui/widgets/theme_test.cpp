@@ -15,6 +15,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QRegularExpression>
 
 #include "study/gui/widgets/studio_settings.h"
@@ -205,6 +206,28 @@ TEST(ThemeChoice, KeepsAWindowsOwnTheme) {
   inside.ensurePolished();
   EXPECT_EQ(inside.palette().color(QPalette::WindowText), themeNamed(ThemeName::Light).window.text);
   applyTheme(application);
+}
+
+TEST(Theme, LeavesAButtonItsSizeWhenItHasTheFocus) {
+  for (const char* role :
+       {"", "main", "danger", "next", "back", "stop", "tool", "link", "point", "option"}) {
+    for (const bool isChecked : {false, true}) {
+      QWidget window;
+      auto* button = new QPushButton(QStringLiteral("Close"), &window);
+      auto* other = new QPushButton(QStringLiteral("Other"), &window);
+      button->setProperty("role", QString::fromLatin1(role));
+      button->setCheckable(isChecked);
+      button->setChecked(isChecked);
+      window.show();
+      window.activateWindow();
+      const auto sizeWithFocusOn = [&](QWidget* focused) {
+        focused->setFocus();
+        applyTheme(*qobject_cast<QApplication*>(QApplication::instance()));
+        return button->sizeHint();
+      };
+      EXPECT_EQ(sizeWithFocusOn(button), sizeWithFocusOn(other)) << role << isChecked;
+    }
+  }
 }
 
 }  // namespace theme_test
