@@ -276,26 +276,47 @@ QTableWidget* landmarkTable(QWidget* parent) {
   return table;
 }
 
+/// The force to which protocols that render the published code limit a cut [N].
+constexpr double kCodesLimit = haptics::models::Interpolation<double>::kAuthorsMaxForce;
+
+double largestForceOf(const haptics::recordings::Cut& cut) {
+  const auto& nodes = cut.curve.nodes();
+  return std::ranges::max(nodes, {}, &haptics::recordings::CurvePoint::force).force;
+}
+
 QString describeChange(const haptics::recordings::ImportedCut& imported) {
   const auto& [cut, report] = imported;
-  if (!report.isAltered()) {
-    const auto kept =
-        CutPlot::tr("No part of this cut is that steep: it keeps the recorded shape.");
-    constexpr double kMost = haptics::models::Interpolation<double>::kAuthorsMaxForce;
-    const auto& nodes = cut.curve.nodes();
-    const bool isAbove =
-        std::ranges::any_of(nodes, [](const auto& point) { return point.force > kMost; });
-    if (!isAbove) return kept;
-    return kept + QLatin1Char(' ') +
-           CutPlot::tr("Protocols that render the published code limit its force to %1 N.")
-               .arg(kMost);
-  }
+  if (!report.isAltered())
+    return CutPlot::tr("No part of this cut is that steep: it keeps the recorded shape.");
   return CutPlot::tr(
              "The cut is not what was recorded: %1. Slopes above %2 N per travel unit are limited; "
              "the recording rises by up to %3. A larger slope keeps the recorded shape.")
       .arg(peakInWords(report))
       .arg(cut.provenance.slopeLimit.value_or(0.0), 0, 'f', 2)
       .arg(report.steepness, 0, 'f', 2);
+}
+
+/// Says that the published code cuts off what is above its limit; empty if nothing is.
+QString describeLimit(const haptics::recordings::Cut& cut) {
+  if (largestForceOf(cut) <= kCodesLimit) return {};
+  return QLatin1Char(' ') +
+         CutPlot::tr("Protocols that render the published code limit its force to %1 N.")
+             .arg(kCodesLimit);
+}
+
+/// A thin line across @p plot at the force to which the published code limits a cut.
+void drawLimit(QCustomPlot& plot, const Theme& colours) {
+  auto* line = new QCPItemStraightLine(&plot);
+  line->setPen(QPen(colours.quiet, 1, Qt::DashLine));
+  line->point1->setCoords(0.0, kCodesLimit);
+  line->point2->setCoords(1.0, kCodesLimit);
+  auto* label = new QCPItemText(&plot);
+  label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+  label->position->setCoords(0.0, kCodesLimit);
+  label->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
+  label->setPadding({6, 0, 0, 2});  // [px]
+  label->setColor(colours.quiet);
+  label->setText(CutPlot::tr("limit of the published code"));
 }
 
 }  // namespace
@@ -389,6 +410,11 @@ void CutPlot::show(
     label->setText(name);
   }
   plot_->rescaleAxes();
+  constexpr double kNear = 0.75;  // of the limit
+  if (largestForceOf(cut) >= kNear * kCodesLimit) {
+    plot_->yAxis->setRangeUpper(std::max(plot_->yAxis->range().upper, kCodesLimit));
+    drawLimit(*plot_, themeOf(*this));
+  }
   constexpr double kMargin = 1.08;  // the marks at the ends are not cut off
   plot_->xAxis->scaleRange(kMargin);
   plot_->yAxis->scaleRange(kMargin);
@@ -397,7 +423,8 @@ void CutPlot::show(
       plot_->yAxis->range().upper + kForNames * plot_->yAxis->range().size());
   setRole(*change_, report.isAltered() ? "warn" : "quiet");
   change_->setText(
-      (report.isAltered() ? QStringLiteral("!  ") : QString()) + describeChange(imported));
+      (report.isAltered() ? QStringLiteral("!  ") : QString()) + describeChange(imported) +
+      describeLimit(cut));
   fill(*landmarks_, cut.landmarks);
   noYield_->setVisible(!cut.landmarks.yield);
   paint();
