@@ -4,9 +4,12 @@
 #include <utility>
 
 #include <QCoreApplication>
+#include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTemporaryDir>
@@ -29,6 +32,15 @@ namespace {
 constexpr std::uint64_t kSeed = 1;
 
 constexpr QSize kSizes[]{{1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1440}, {3840, 2160}};
+
+/// The size of the screen on which participants see the pages: another one than that of @p desk, if
+/// there is one.
+QSize participantsScreen(const QWidget& desk) {
+  const auto screens = QGuiApplication::screens();
+  const auto other =
+      std::ranges::find_if(screens, [&](const QScreen* each) { return each != desk.screen(); });
+  return (other == screens.end() ? desk.screen() : *other)->size();
+}
 
 /// A step by the title of the page that it shows; by its phase, if several steps show that page.
 QString titleOf(const Step& step, const protocols::LoadedProtocol& loaded) {
@@ -112,6 +124,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   scroll_->setAlignment(Qt::AlignCenter);
   scroll_->setProperty("role", QStringLiteral("screen"));
   scroll_->setAccessibleName(tr("Page of the participant"));
+  scroll_->viewport()->installEventFilter(this);
   if (const auto left = blanksLeft(loaded_); left > 0) {
     blanks_ =
         QStringLiteral(" ") +
@@ -129,7 +142,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
     if (row >= 0) attempt(this, MessageTopic::PreviewNotShown, [&] { goTo(row); });
   });
   connect(languages_, &QComboBox::currentIndexChanged, this, &PreviewWindow::chooseLanguage);
-  connect(sizes_, &QComboBox::currentIndexChanged, this, &PreviewWindow::chooseSize);
+  connect(sizes_, &QComboBox::currentIndexChanged, this, &PreviewWindow::fitPage);
   connect(&stopKey_, &StopKey::pressed, this, [this] { previewSession_->controller.stop(); });
   connect(&cutKey_, &CutKey::pressed, this, [this] {
     previewSession_->controller.changeBenchmarkCuts(1);
@@ -148,6 +161,8 @@ void PreviewWindow::makeBar(QVBoxLayout& layout) {
   addLanguages(*languages_, loaded_.protocol.languages);
   sizes_->setAccessibleName(tr("Size of the participant's screen"));
   sizes_->setObjectName(QStringLiteral("size"));
+  const QSize own = participantsScreen(*this);
+  sizes_->addItem(tr("Participant's screen: %1 × %2").arg(own.width()).arg(own.height()), own);
   sizes_->addItem(tr("As large as this window"), QSize());
   for (const auto& size : kSizes) {
     sizes_->addItem(tr("Screen of %1 × %2").arg(size.width()).arg(size.height()), size);
@@ -225,7 +240,7 @@ void PreviewWindow::showSession() {
   auto* page = previewSession_->window.get();
   scroll_->setWidget(page);
   page->setParent(scroll_->viewport(), Qt::Widget);
-  chooseSize();
+  fitPage();
   page->show();
   const auto* controller = &previewSession_->controller;
   connect(controller, &SessionController::languageChanged, this, [this, controller] {
@@ -267,15 +282,24 @@ void PreviewWindow::chooseLanguage() {
   previewSession_->controller.chooseLanguage(languages_->currentData().toString());
 }
 
-void PreviewWindow::chooseSize() {
-  const auto size = sizes_->currentData().toSize();
-  scroll_->setWidgetResizable(size.isEmpty());
-  if (size.isEmpty()) {
+bool PreviewWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize && previewSession_) fitPage();
+  return QMainWindow::eventFilter(watched, event);
+}
+
+void PreviewWindow::fitPage() {
+  const auto screen = sizes_->currentData().toSize();
+  scroll_->setWidgetResizable(screen.isEmpty());
+  page().showAsOn(screen);
+  if (screen.isEmpty()) {
     page().setMinimumSize(0, 0);
     page().setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
-  } else {
-    page().setFixedSize(size);
+    return;
   }
+  constexpr QSize kLeast(480, 270);  // [px]: what is smaller cannot be read
+  const QSize room = scroll_->maximumViewportSize().expandedTo(kLeast);
+  const bool hasRoom = screen.boundedTo(room) == screen;
+  page().setFixedSize(hasRoom ? screen : screen.scaled(room, Qt::KeepAspectRatio));
 }
 
 const SessionController& PreviewWindow::controller() const {

@@ -20,8 +20,9 @@ class QVBoxLayout;
 namespace study::gui {
 
 /// Previews a participant's session: every page in any language and for any size of screen, with
-/// scenes that can be felt with the mouse or the space bar. The session runs in a new study in a
-/// temporary folder, which is removed with the window, so nothing is kept.
+/// scenes that can be felt with the mouse or the space bar. It begins with the participant's
+/// screen; a screen that is too large for the window is shown smaller. The session runs in a new
+/// study in a temporary folder, which is removed with the window, so nothing is kept.
 class PreviewWindow final : public QMainWindow {
   Q_OBJECT
 
@@ -39,6 +40,8 @@ class PreviewWindow final : public QMainWindow {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  /// Fits the page when its place is resized.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct PreviewSession;
@@ -47,7 +50,7 @@ class PreviewWindow final : public QMainWindow {
   void showSession();
   void updateStep();
   void chooseLanguage();
-  void chooseSize();
+  void fitPage();
   std::string language() const;
 
   protocols::LoadedProtocol loaded_;

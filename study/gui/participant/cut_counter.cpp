@@ -24,8 +24,10 @@ CutCounter::CutCounter(int needed, const StrokeWords& strokes, QWidget* parent)
 }
 
 int CutCounter::radius() const noexcept {
-  constexpr int kLow = 480;  // [px] of a window; the words say it as well
-  return cutsNeeded_ > kMostDots || window()->height() < kLow ? 0 : scaled(*this, kRadius);
+  constexpr int kLow = 480;  // [px] of a window at scale 1; the words say it as well
+  return cutsNeeded_ > kMostDots || window()->height() < scaled(*this, kLow)
+             ? 0
+             : scaled(*this, kRadius);
 }
 
 int CutCounter::widthOfDots() const noexcept {

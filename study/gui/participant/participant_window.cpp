@@ -157,14 +157,22 @@ static void scaleDistances(QWidget& page, double ratio) {
   }
 }
 
+void ParticipantWindow::showAsOn(QSize screen) {
+  screen_ = screen;
+  adjustScale();
+}
+
 void ParticipantWindow::adjustScale() {
-  const double scale = scaleFor(size());
+  constexpr double kSteps = 100.0;  // of a picture of a screen
+  const double ratio = screen_.isEmpty() ? 1.0 : 1.0 * width() / screen_.width();
+  const double scale = screen_.isEmpty() ? scaleFor(size())
+                                         : std::floor(kSteps * ratio * scaleFor(screen_)) / kSteps;
   if (scale == scale_) return;
-  const double ratio = scale_ > 0.0 ? scale / scale_ : 1.0;
+  const double change = scale_ > 0.0 ? scale / scale_ : 1.0;
   for (auto* page : {page_, readAgainPage_}) {
-    if (page != nullptr) scaleDistances(*page, ratio);
+    if (page != nullptr) scaleDistances(*page, change);
   }
-  for (auto* frame : {rows_->itemAt(0)->widget(), bottom_}) scaleDistances(*frame, ratio);
+  for (auto* frame : {rows_->itemAt(0)->widget(), bottom_}) scaleDistances(*frame, change);
   scale_ = scale;
   setWindowTheme(*this, ThemeName::Light, scale);  // the same for each participant
   // As high on each page as with the languages, so that all titles are at one height.

@@ -38,6 +38,10 @@ class ParticipantWindow final : public QWidget {
   /// Called when the operator closes the session. Before this call the window refuses to close.
   void allowClosing() { mayClose_ = true; }
 
+  /// Shows the pages as on a screen of this size, smaller or larger by the ratio of the widths; an
+  /// empty size: as the window's own.
+  void showAsOn(QSize screen);
+
   /// The lock that keeps the screen on this window until the operator's PIN is entered.
   ScreenLock& lock() noexcept { return *lock_; }
 
@@ -95,6 +99,7 @@ class ParticipantWindow final : public QWidget {
       nullptr;  ///< the text before the step, while it is read again over the page
   TrialPage* trialPage_ = nullptr;
   QuestionnairePage* questions_ = nullptr;
+  QSize screen_;  ///< as on which the pages are shown; empty: the window's own
   double scale_ = 0.0;
   bool showsUnanswered_ = false;  ///< true once Next was pressed on an incomplete page
   bool mayClose_ = false;

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <QFileInfo>
+#include <QScreen>
 #include <QTest>
 
 #include "protocols/load_protocol.h"
+#include "study/gui/widgets/theme.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/gui/visible_words.h"
@@ -50,13 +52,32 @@ TEST(PreviewWindow, HasTheLanguageAndTheSizeThatAreChosen) {
   auto* languages = preview.findChild<QComboBox*>(QStringLiteral("language"));
   auto* sizes = preview.findChild<QComboBox*>(QStringLiteral("size"));
   languages->setCurrentIndex(languages->findData(QStringLiteral("de")));
-  sizes->setCurrentIndex(sizes->findData(QSize(1920, 1080)));
-  EXPECT_EQ(preview.page().size(), QSize(1920, 1080));
+  sizes->setCurrentIndex(sizes->findData(QSize(1280, 720)));
+  preview.resize(2000, 1000);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(preview.page().size(), QSize(1280, 720));
   EXPECT_NE(tests::buttonSaying(&preview.page(), QStringLiteral("Weiter")), nullptr);
   preview.findChild<QListWidget*>(QStringLiteral("steps"))->setCurrentRow(1);
   EXPECT_EQ(preview.controller().session().language(), "de");
-  EXPECT_EQ(preview.page().size(), QSize(1920, 1080));
+  EXPECT_EQ(preview.page().size(), QSize(1280, 720));
   tests::photographInAllThemes(preview, QStringLiteral("preview"));
+}
+
+TEST(PreviewWindow, BeginsWithTheParticipantsScreenAndShowsALargeOneWhole) {
+  PreviewWindow preview(shipped("punch-face-validity"));
+  preview.resize(1366, 768);
+  preview.show();
+  QCoreApplication::processEvents();
+  const auto* place = preview.findChild<QScrollArea*>();
+  auto* sizes = preview.findChild<QComboBox*>(QStringLiteral("size"));
+  EXPECT_EQ(sizes->currentData().toSize(), QGuiApplication::primaryScreen()->size());
+  const QSize wide(1920, 1080);
+  sizes->setCurrentIndex(sizes->findData(wide));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(preview.page().size(), wide.scaled(place->viewport()->size(), Qt::KeepAspectRatio));
+  const double ratio = 1.0 * preview.page().width() / wide.width();
+  constexpr int kLength = 1000;
+  EXPECT_NEAR(scaled(preview.page(), kLength), ratio * scaleFor(wide) * kLength, 0.01 * kLength);
 }
 
 TEST(PreviewWindow, KeepsTheOrderAndTheLabelsOfThePageBefore) {
@@ -74,10 +95,12 @@ TEST(PreviewWindow, KeepsTheOrderAndTheLabelsOfThePageBefore) {
   }
 }
 
-TEST(PreviewWindow, ShowsWholePagesUntilASizeIsChosen) {
+TEST(PreviewWindow, ShowsPagesAsLargeAsItself) {
   PreviewWindow preview(shipped("punch-face-validity"));
   preview.resize(1366, 768);
   preview.show();
+  auto* sizes = preview.findChild<QComboBox*>(QStringLiteral("size"));
+  sizes->setCurrentIndex(sizes->findData(QSize()));
   QCoreApplication::processEvents();
   const auto* place = preview.findChild<QScrollArea*>();
   EXPECT_EQ(preview.page().size(), place->viewport()->size());
