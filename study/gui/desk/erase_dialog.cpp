@@ -20,26 +20,42 @@
 namespace study::gui {
 namespace {
 
-/// The participants that can be erased, with the names that they gave.
-std::map<std::string, std::string> namesByCode(Study& study) {
-  std::map<std::string, std::string> people;
+constexpr int kSessionsRole = Qt::UserRole + 1;  ///< what tells a participant apart, in words
+
+/// A participant that can be erased.
+struct Person {
+  QStringList names;     ///< that were given
+  QStringList dates;     ///< of each session
+  QStringList sessions;  ///< "Surgeons, 2026-03-09, completed"
+};
+
+/// By code.
+std::map<std::string, Person> peopleIn(Study& study) {
+  constexpr int kDate = 10;  // letters of "2026-03-09", at the beginning of a time
+  std::map<std::string, Person> all;
+  std::set<std::string> erasable;
   std::set<std::string> simulated;
   for (const auto& row : study.sessions().all()) {
-    if (row.runMode == RunMode::Simulated) {
-      simulated.insert(row.participant);
-    } else if (row.state != SessionState::Erased) {
-      people.try_emplace(row.participant);
+    if (row.runMode == RunMode::Simulated) simulated.insert(row.participant);
+    if (row.state != SessionState::Erased) erasable.insert(row.participant);
+    const auto date = localTime(row.startedUtc).left(kDate);
+    const QStringList session{
+        cohortTitle(study.protocol().protocol, row.cohort), date, statusInWords(row.state)};
+    all[row.participant].dates << date;
+    all[row.participant].sessions << session.join(QStringLiteral(", "));
+  }
+  if (!study.identities().isLocked()) {
+    const auto shown = study.identities().names();
+    recordNamesShown(study, shown.size());
+    for (const auto& name : shown) {
+      all[name.participant].names << QString::fromStdString(name.text);
+      erasable.insert(name.participant);  // also one whose answers are erased
     }
   }
-  if (study.identities().isLocked()) return people;
-  const auto shown = study.identities().names();
-  recordNamesShown(study, shown.size());
-  for (const auto& name : shown) {
-    if (simulated.contains(name.participant)) continue;
-    auto& names = people[name.participant];  // also of one whose answers are erased
-    names += (names.empty() ? "" : ", ") + name.text;
-  }
-  return people;
+  std::erase_if(all, [&](const auto& each) {
+    return simulated.contains(each.first) || !erasable.contains(each.first);
+  });
+  return all;
 }
 
 std::string certificateContent(
@@ -105,6 +121,8 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
   copy_->startIn(folderBeside(folder_));
   copy_->setHint(tr("optional"));
   form().addRow(tr("Participant"), participant_);
+  sessions_ = addHint({});
+  sessions_->setObjectName(QStringLiteral("sessions"));
   form().addRow(tr("What"), level_);
   addReason(
       tr("Reason"), [this] { updateButton(); }, tr("without names: it stays in the audit trail"));
@@ -123,11 +141,12 @@ void EraseDialog::fillIn() {
   code_->clear();
   attempt(this, MessageTopic::ParticipantsNotListed, [&] {
     auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
-    for (const auto& [code, names] : namesByCode(study)) {
-      const auto words = QString::fromStdString(code);
-      participant_->addItem(
-          names.empty() ? words : words + QStringLiteral(" · ") + QString::fromStdString(names),
-          words);
+    for (const auto& [id, person] : peopleIn(study)) {
+      const auto code = QString::fromStdString(id);
+      const auto words = QStringList(code) + person.names + person.dates;
+      participant_->addItem(words.join(QStringLiteral(" · ")), code);
+      participant_->setItemData(
+          participant_->count() - 1, person.sessions.join(QStringLiteral("; ")), kSessionsRole);
     }
     form().setRowVisible(reseal_, !remarkOnUnsealedTrail(study).empty());
   });
@@ -145,6 +164,7 @@ void EraseDialog::fillIn() {
 
 void EraseDialog::updateButton() {
   const auto code = participant_->currentData().toString();
+  sessions_->setText(participant_->currentData(kSessionsRole).toString());
   if (code.isEmpty()) return setDisabledReason(tr("No participant can be erased."));
   qobject_cast<QLabel*>(form().labelForField(code_))->setText(tr("Type %1 to confirm").arg(code));
   setDisabledReason(

@@ -31,6 +31,7 @@ class EraseDialog final : public WorkDialog {
 
   std::string folder_;
   QComboBox* participant_;
+  QLabel* sessions_ = nullptr;  ///< cohort, date and state of each session of the participant
   QComboBox* level_;
   QLineEdit* code_;
   PathField* copy_;

@@ -58,12 +58,19 @@ class EraseDialogTest : public testing::Test {
       tests::protocolWithEverything(), {{"everything.json", tests::everythingInstrument()}})};
 };
 
-TEST_F(EraseDialogTest, ListsPeopleWithTheirNamesAndNobodySimulated) {
+TEST_F(EraseDialogTest, ListsPeopleWithNameCohortDateAndStateAndNobodySimulated) {
+  study_.reopen();
+  constexpr int kDate = 10;  // letters
+  const auto date = localTime(study_->sessions().all().front().startedUtc).left(kDate);
+  study_.close();
   EraseDialog dialog(summaryOf(study_.folder()));
   const auto& people = the<QComboBox>(dialog, "participant");
   ASSERT_EQ(people.count(), 2);
-  EXPECT_EQ(people.itemText(0), QStringLiteral("P001 · Zaphod Beeblebrox"));
-  EXPECT_EQ(people.itemText(1), QStringLiteral("P002"));
+  EXPECT_EQ(people.itemText(0), QStringLiteral("P001 · Zaphod Beeblebrox · ") + date);
+  EXPECT_EQ(people.itemText(1), QStringLiteral("P002 · ") + date);
+  EXPECT_EQ(
+      the<QLabel>(dialog, "sessions").text(),
+      QStringLiteral("Surgeons, %1, in progress").arg(date));
   EXPECT_FALSE(the<QCheckBox>(dialog, "reseal").isVisibleTo(&dialog));
 }
 
