@@ -47,7 +47,7 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   setRole(*sameDisk_, "warn");
   connect(target_, &PathField::pathChanged, this, &KeyDialog::updateChoices);
   source_->startIn(folderBeside(folder_));
-  target_->startIn(pathInHome(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
+  target_->startIn(pathApart(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
   showState();
   updateChoices();
 }

@@ -69,11 +69,15 @@ RunMode chosenMode(const QComboBox& choice) {
   return static_cast<RunMode>(choice.currentData().toInt());
 }
 
-QString unusedPathBeside(const std::string& folder, const QString& what, const QString& extension) {
+/// "my-study-backup-2026-11-23"
+static QString nameToday(const std::string& folder, const QString& what) {
   const QFileInfo study(QDir::cleanPath(QString::fromStdString(folder)));
-  const auto name = study.fileName() + QLatin1Char('-') + what + QLatin1Char('-') +
-                    QDate::currentDate().toString(Qt::ISODate);
-  return unusedPath(QDir(folderBeside(folder)).filePath(name), extension);
+  return study.fileName() + QLatin1Char('-') + what + QLatin1Char('-') +
+         QDate::currentDate().toString(Qt::ISODate);
+}
+
+QString unusedPathBeside(const std::string& folder, const QString& what, const QString& extension) {
+  return unusedPath(QDir(folderBeside(folder)).filePath(nameToday(folder, what)), extension);
 }
 
 QString folderBeside(const std::string& folder) {
@@ -81,9 +85,29 @@ QString folderBeside(const std::string& folder) {
   return beside.isWritable() && !beside.isRoot() ? beside.filePath() : documentsFolder();
 }
 
-QString pathInHome(const std::string& folder, const QString& what, const QString& extension) {
-  const QFileInfo beside(unusedPathBeside(folder, what, extension));
-  return QDir::home().filePath(beside.fileName());
+QString diskApartFrom(const QByteArray& device, const std::vector<MountedDisk>& disks) {
+  const auto isApart = [&](const MountedDisk& disk) {
+    const auto root = disk.root + QLatin1Char('/');
+    return disk.isWritable && disk.device != device &&
+           (root.startsWith(QLatin1String("/media/")) ||
+            root.startsWith(QLatin1String("/run/media/")) ||
+            root.startsWith(QLatin1String("/mnt/")));
+  };
+  const auto found = std::ranges::find_if(disks, isApart);
+  return found == disks.end() ? QString() : found->root;
+}
+
+QString pathApart(const std::string& folder, const QString& what, const QString& extension) {
+  std::vector<MountedDisk> disks;
+  for (const auto& disk : QStorageInfo::mountedVolumes()) {
+    const bool isKept = disk.isReady() && !disk.isReadOnly() && disk.fileSystemType() != "tmpfs";
+    const bool isWritable = isKept && QFileInfo(disk.rootPath()).isWritable();
+    disks.push_back({disk.rootPath(), disk.device(), isWritable});
+  }
+  const auto own = QStorageInfo(QString::fromStdString(folder)).device();
+  const auto other = diskApartFrom(own, disks);
+  const QDir place(other.isEmpty() ? QDir::homePath() : other);
+  return unusedPath(place.filePath(nameToday(folder, what)), extension);
 }
 
 bool isOnDiskOf(const std::string& folder, const QString& path) {
@@ -105,7 +129,7 @@ BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
           parent),
       folder_(study.folder),
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)) {
-  target_->setPath(pathInHome(folder_, QStringLiteral("backup")));
+  target_->setPath(pathApart(folder_, QStringLiteral("backup")));
   form().addRow(tr("To a new folder"), target_);
   sameDisk_ = addHint(tr("This is the disk of the study: if it fails, both are lost."));
   setRole(*sameDisk_, "warn");

@@ -97,8 +97,19 @@ RunMode chosenMode(const QComboBox& choice);
 QString unusedPathBeside(
     const std::string& folder, const QString& what, const QString& extension = {});
 
-/// A path of that name in the user's home folder, where choosing a new file or folder begins.
-QString pathInHome(const std::string& folder, const QString& what, const QString& extension = {});
+/// A place where a file system is mounted.
+struct MountedDisk {
+  QString root;
+  QByteArray device;
+  bool isWritable = false;
+};
+/// The root of the first disk that is not @p device, can be written to and is mounted where a
+/// desktop mounts sticks and drives: below /media, /run/media or /mnt; empty if there is none.
+QString diskApartFrom(const QByteArray& device, const std::vector<MountedDisk>& disks);
+
+/// A path of that name on another disk than the study's; in the user's home folder, if none is
+/// mounted.
+QString pathApart(const std::string& folder, const QString& what, const QString& extension = {});
 /// Whether a new file or folder would be on the same file system as the study.
 bool isOnDiskOf(const std::string& folder, const QString& path);
 

@@ -123,6 +123,19 @@ TEST_F(StudyDialogsTest, VerifyNotesThatABackupWasPutBackOnPurpose) {
   EXPECT_FALSE(restored->isVisible());
 }
 
+TEST(StudyDialogs, ProposeAnotherDiskForCopiesWhereOneCanBeWrittenTo) {
+  const auto proposed = [](const QString& root, const char* device, bool isWritable) {
+    return diskApartFrom(
+        "/dev/sda1", {{QStringLiteral("/"), "/dev/sda2", true}, {root, device, isWritable}});
+  };
+  const auto stick = QStringLiteral("/media/anna/STICK");
+  EXPECT_EQ(proposed(stick, "/dev/sdb1", true), stick);
+  EXPECT_EQ(proposed(QStringLiteral("/mnt"), "/dev/sdb1", true), QStringLiteral("/mnt"));
+  EXPECT_EQ(proposed(stick, "/dev/sdb1", false), QString());
+  EXPECT_EQ(proposed(stick, "/dev/sda1", true), QString()) << "the disk of the study";
+  EXPECT_EQ(proposed(QStringLiteral("/boot/efi"), "/dev/sdb1", true), QString());
+}
+
 TEST_F(StudyDialogsTest, BackupMakesAValidCopy) {
   BackupDialog dialog(summary());
   press(dialog, out_ / "copy");
