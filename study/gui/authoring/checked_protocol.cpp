@@ -6,12 +6,12 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <QStringList>
 
 #include "protocols/load_protocol.h"
 #include "questionnaires/json/document.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
+#include "study/results/protocol_versions.h"
 
 namespace study::gui {
 namespace {
@@ -69,6 +69,15 @@ report::ReportSection titlesOf(const protocols::LoadedProtocol& loaded) {
   section.instruments = loaded.instruments;
   section.words = words::wordsIn(deskLanguage());
   return section;
+}
+
+QStringList changesInWords(Study& study, const protocols::LoadedProtocol& newest) {
+  const auto titles = titlesOf(newest);
+  QStringList changes;
+  for (const auto& change : changesBy(study, newest)) {
+    changes << capitalised(QString::fromStdString(titles.inWords(change)));
+  }
+  return changes;
 }
 
 std::size_t blanksLeft(const protocols::LoadedProtocol& loaded) {

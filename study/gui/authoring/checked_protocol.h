@@ -5,16 +5,20 @@
 #include <vector>
 
 #include <QString>
+#include <QStringList>
 
 #include "protocols/model/loaded_protocol.h"
 #include "questionnaires/reading/instrument_file.h"
 #include "study/gui/widgets/note_list.h"
 #include "study/report/report_section.h"
+#include "study/session/study.h"
 
 namespace study::gui {
 
 /// A section of a report that has only titles: of conditions, cohorts, blocks, instruments, items.
 report::ReportSection titlesOf(const protocols::LoadedProtocol& loaded);
+/// What @p newest changes in the meaning of what was answered or felt in @p study so far.
+QStringList changesInWords(Study& study, const protocols::LoadedProtocol& newest);
 /// How many blanks of texts that participants read are not filled in.
 std::size_t blanksLeft(const protocols::LoadedProtocol& loaded);
 

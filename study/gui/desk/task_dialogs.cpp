@@ -16,7 +16,6 @@
 #include "study/gui/widgets/written_file.h"
 #include "study/report/tables/plan_tables.h"
 #include "study/report/tables/statistics_tables.h"
-#include "study/results/protocol_versions.h"
 #include "study/results/study_plan.h"
 #include "study/session/unblinding.h"
 
@@ -95,10 +94,7 @@ std::vector<Note> AmendDialog::changesInMeaning() {
   if (!checked_.loaded) return notes;
   attempt(this, MessageTopic::ProtocolNotChanged, [&] {
     auto study = Study::open(folder_, Access::ReadOnly);
-    QStringList changes;
-    for (const auto& change : changesBy(study, *checked_.loaded)) {
-      changes << capitalised(checked_.inWords(change));
-    }
+    auto changes = changesInWords(study, *checked_.loaded);
     if (changes.isEmpty()) return;
     changes << tr(
         "Results will say so. To keep both apart, give what is changed an id of its own, or make a "

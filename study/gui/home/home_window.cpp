@@ -247,11 +247,18 @@ void HomeWindow::fillInTexts() {
     const bool hasBegun = opened.protocols().isAnyFrozen();
     TextsDialog form(
         protocol, hasBegun ? TextsDialog::Reason::Needed : TextsDialog::Reason::NotNeeded, this);
-    if (form.exec() != QDialog::Accepted || form.texts() == protocol.protocol.texts) return;
-    questionnaires::Problems problems;
-    const auto filled = protocols::withTexts(protocol, form.texts(), problems);
-    if (!filled) throw UserError(questionnaires::describe(problems.all()));
-    opened.amend(*filled, form.reason().toStdString());
+    while (form.exec() == QDialog::Accepted && form.texts() != protocol.protocol.texts) {
+      questionnaires::Problems problems;
+      const auto filled = protocols::withTexts(protocol, form.texts(), problems);
+      if (!filled) throw UserError(questionnaires::describe(problems.all()));
+      const auto changes = changesInWords(opened, *filled).join(QStringLiteral("\n•  "));
+      const bool isMeant =
+          changes.isEmpty() ||
+          ask(this, MessageTopic::TextsChangeMeaning, {}, QStringLiteral("•  ") + changes);
+      if (!isMeant) continue;
+      opened.amend(*filled, form.reason().toStdString());
+      break;
+    }
   });
   refresh();
 }

@@ -261,6 +261,14 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .advice = "Show them only where the session cannot go on otherwise, as after a fault.",
      .safe = "Keep them hidden",
      .action = "Show the forces"},
+    {.topic = TextsChangeMeaning,
+     .kind = Kind::Question,
+     .title = "Fill in the texts",
+     .headline = "Save the texts, although answers then mean something else?",
+     .data = "What was answered or felt so far means something else in this version:",
+     .advice = "Results will say so. To keep both apart, make a new study.",
+     .safe = "Go on filling in",
+     .action = "Save the texts"},
 
     reason(
         DeviceFailure,

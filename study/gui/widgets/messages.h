@@ -52,6 +52,7 @@ enum class MessageTopic {
   LiveSessionInOlderCopy,
   PilotSessionHasBlanks,
   ShowForces,
+  TextsChangeMeaning,
   // Questions with a text to enter or a choice to make.
   DeviceFailure,
   NamesPassphrase,

@@ -23,11 +23,13 @@
 #include "study/gui/home/study_list.h"
 #include "study/gui/home/study_panel.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "study/gui/widgets/written_file.h"
 #include "study/session/arrivals.h"
 #include "study/session/erasure.h"
 #include "study/session/study_key.h"
+#include "tests/study/everything_instrument.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
@@ -471,6 +473,38 @@ TEST_F(HomeTest, FillsInTheTextsOfAStudyOnce) {
   EXPECT_NE(consent.in("en").find("on a computer of Lab for "), std::string::npos);
   EXPECT_NE(consent.in("de").find("auf einem Computer von Labor"), std::string::npos);
   EXPECT_EQ(summaryOf(folder.toStdString()).blanks, 8U) << "institution and duration are there";
+}
+
+TEST_F(HomeTest, AsksBeforeATextChangesWhatAnswersMean) {
+  auto instrument = tests::everythingInstrument();
+  const std::string words = R"("text": {"en": "a",)";
+  instrument.replace(instrument.find(words), words.size(), R"("text": {"en": "a [[contact]]",)");
+  tests::MadeStudy study(
+      tests::protocolFrom(tests::protocolWithEverything(), {{"everything.json", instrument}}));
+  auto session = Session::enrol(*study, {.cohort = "surgeons", .runMode = RunMode::Pilot});
+  const auto folder = study.folder();
+  study.close();
+  HomeWindow home;
+  home.show();
+  home.choose(QString::fromStdString(folder));
+  std::string told;
+  QTimer fill;
+  QObject::connect(&fill, &QTimer::timeout, &fill, [&] {
+    auto* window = QApplication::activeModalWidget();
+    if (auto* form = qobject_cast<TextsDialog*>(window)) {
+      form->findChild<QLineEdit*>(QStringLiteral("text-contact"))->setText(QStringLiteral("Eva"));
+      form->accept();
+    } else if (auto* question = qobject_cast<MessageBox*>(window)) {
+      fill.stop();
+      told = question->words().toStdString();
+      question->accept();
+    }
+  });
+  fill.start(20);
+  QTest::mouseClick(home.findChild<QPushButton*>(QStringLiteral("texts")), Qt::LeftButton);
+  EXPECT_NE(told.find("1 of 1 participants read other words"), std::string::npos) << told;
+  study.reopen();
+  EXPECT_EQ(study->protocols().all().size(), 2U) << "an amendment";
 }
 
 TEST_F(HomeTest, HasTheButtonThatContinuesInSightOnASmallScreen) {
