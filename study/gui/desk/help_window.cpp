@@ -25,7 +25,7 @@
 namespace study::gui {
 namespace {
 
-constexpr const char* kFirstPage = "qrc:/help/running-a-study.md";
+constexpr const char* kFirstPage = "running-a-study.md";
 constexpr const char* kHelpProperty = "help";
 
 constexpr auto kWindows = std::to_array<ProgramWindow>({
@@ -61,6 +61,10 @@ constexpr auto kWindows = std::to_array<ProgramWindow>({
     {"Tour", "Try it"},
     {"VerifyDialog", "After each day"},
 });
+
+QUrl placeOf(const QString& page) {
+  return {QStringLiteral("qrc:/help/") + (page.isEmpty() ? QString::fromUtf8(kFirstPage) : page)};
+}
 
 QPointer<HelpWindow>& helpWindow() {
   static QPointer<HelpWindow> window;
@@ -275,7 +279,7 @@ HelpWindow::HelpWindow(QWidget* parent)
   const auto open = [this](const QListWidgetItem* item) { goTo(item->data(Qt::UserRole).toInt()); };
   connect(contents_, &QListWidget::itemClicked, this, open);
   connect(contents_, &QListWidget::itemActivated, this, open);
-  text_->setSource(QUrl(QString::fromUtf8(kFirstPage)));
+  text_->setSource(placeOf({}));
 }
 
 void HelpWindow::listHeadings() {
@@ -336,12 +340,13 @@ void HelpWindow::goTo(int number) {
 }
 
 void HelpWindow::showTopic(const QString& topic) {
-  const QUrl first(QString::fromUtf8(kFirstPage));
-  if (text_->source() != first) text_->setSource(first);
+  const auto page = placeOf(topic.section(u'#', 0, -2));
+  const auto heading = topic.section(u'#', -1);
+  if (text_->source() != page) text_->setSource(page);
   show();  // the text has its layout only when it is visible
   for (int row = 0; row < contents_->count(); ++row) {
-    if (row > 0 && !contents_->item(row)->text().contains(topic)) continue;
-    if (row == 0 && !topic.isEmpty()) continue;
+    if (row > 0 && !contents_->item(row)->text().contains(heading)) continue;
+    if (row == 0 && !heading.isEmpty()) continue;
     contents_->setCurrentRow(row);
     return goTo(contents_->item(row)->data(Qt::UserRole).toInt());
   }

@@ -30,7 +30,7 @@ class HelpWindow final : public QMainWindow {
   explicit HelpWindow(QWidget* parent = nullptr);
 
   /// Shows "Running a study" at the heading that contains @p topic, or at its beginning if none
-  /// does.
+  /// does; for a topic such as "devices.md#Real time" that page.
   void showTopic(const QString& topic);
 
   /// The heading on display.

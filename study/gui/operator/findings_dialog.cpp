@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -49,13 +51,18 @@ FindingsDialog::FindingsDialog(
   close->setDefault(true);
   auto* again = new QPushButton(tr("Check again"), this);
   again->setObjectName(QStringLiteral("check-again"));
+  auto* help = new QPushButton(tr("Help"), this);
+  help->setObjectName(QStringLiteral("help"));
+  help->setProperty("role", QStringLiteral("link"));
   start_->setVisible(isQuestion);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(start_);
+  buttons->addWidget(help);
   buttons->addStretch(1);
   buttons->addWidget(again);
   buttons->addWidget(close);
-  for (auto* other : {again, start_}) other->setAutoDefault(false);
+  for (auto* other : {again, start_, help}) other->setAutoDefault(false);
+  connect(help, &QPushButton::clicked, this, &FindingsDialog::openHelp);
   connect(again, &QPushButton::clicked, this, [this, checkAgain] {
     const auto found = checkAgain();
     show(found);
@@ -74,6 +81,12 @@ FindingsDialog::FindingsDialog(
   show(found);
 }
 
+/// The application shows help on F1.
+void FindingsDialog::openHelp() {
+  QKeyEvent press(QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier);
+  QCoreApplication::sendEvent(this, &press);
+}
+
 void FindingsDialog::show(const std::vector<PartFindings>& found) {
   std::vector<FindingLine> lines;
   for (const auto& part : found) {
@@ -84,6 +97,11 @@ void FindingsDialog::show(const std::vector<PartFindings>& found) {
   const auto finding = worst == lines.end() ? Finding::Pass : worst->found.finding;
   const auto failed = std::ranges::count_if(
       lines, [](const FindingLine& line) { return line.found.finding == Finding::Fail; });
+  const bool isAboutTime = std::ranges::any_of(lines, [](const FindingLine& line) {
+    const auto& fix = line.found.fix.key();
+    return fix == "check.round_trip.fix" || fix == "check.session.fix";
+  });
+  setProperty("help", isAboutTime ? "devices.md#Real time" : "devices.md#Trouble");
   table_->show(std::move(lines));
   const bool isBad = finding == Finding::Fail;
   setRole(*verdict_, isBad ? "bad" : finding == Finding::Warn ? "warn" : "good");

@@ -40,6 +40,7 @@ class FindingsDialog final : public QDialog {
 
  private:
   void show(const std::vector<PartFindings>& found);
+  void openHelp();
   using QDialog::show;
 
   QLabel* verdict_;

@@ -25,7 +25,6 @@
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/operator/control_panel.h"
 #include "study/gui/operator/cut_table.h"
-#include "study/gui/operator/findings_dialog.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/operator/page_mirror.h"
@@ -35,7 +34,6 @@
 #include "study/gui/operator/window_geometries.h"
 #include "study/gui/session/station_push.h"
 #include "study/gui/widgets/desk_language.h"
-#include "study/gui/widgets/findings_table.h"
 #include "study/model/new_file.h"
 #include "study/session/arrivals.h"
 #include "tests/study/gui/participant.h"
@@ -506,59 +504,6 @@ TEST_F(OperatorLayout, LeavesStopInSightBesideTheParticipantsWindowOnASmallScree
   EXPECT_LT(stop->mapTo(&window_, stop->rect().bottomRight()).x(), place->left());
   EXPECT_LE(window_.participantWindow()->minimumSizeHint().width(), place->width());
   EXPECT_FALSE(placeBesideStop({0, 0, 1024, 768})) << "no room for both";
-}
-
-TEST(FindingsDialog, ChecksAgainOnRequest) {
-  using haptics::devices::CheckResult;
-  using haptics::devices::Finding;
-  bool isPlugged = false;
-  const auto check = [&] {
-    const CheckResult result{
-        .finding = isPlugged ? Finding::Pass : Finding::Fail,
-        .what = base::Message::verbatim("port"),
-        .measured = base::Message::verbatim(isPlugged ? "open" : "none"),
-        .fix = base::Message::verbatim(isPlugged ? "" : "Plug the device in.")};
-    return std::vector<FindingsDialog::PartFindings>{{"punch", {result}}};
-  };
-  FindingsDialog dialog(check(), FindingsDialog::Question::StartDespiteFailures, check, nullptr);
-  const auto* verdict = dialog.findChild<QLabel*>(QStringLiteral("verdict"));
-  EXPECT_EQ(verdict->text(), QStringLiteral("✕  Checks that failed: 1."));
-  const auto warns = [&] {
-    const auto labels = dialog.findChildren<QLabel*>();
-    return std::ranges::any_of(labels, [&](const QLabel* label) {
-      return label->isVisibleTo(&dialog) && label->text().contains(QStringLiteral("may jerk"));
-    });
-  };
-  EXPECT_TRUE(warns());
-  isPlugged = true;
-  dialog.findChild<QPushButton*>(QStringLiteral("check-again"))->click();
-  EXPECT_EQ(verdict->text(), QStringLiteral("✓  All checks passed."));
-  EXPECT_FALSE(warns()) << "nothing is wrong any more";
-  const auto* table = dialog.findChild<QTableWidget*>();
-  ASSERT_EQ(table->rowCount(), 1);
-  EXPECT_EQ(table->item(0, 3)->text(), QStringLiteral("Open"));
-}
-
-/// A finding in words of this test.
-haptics::devices::CheckResult resultIn(
-    haptics::devices::Finding finding, const char* what, const char* measured, const char* fix) {
-  using base::Message;
-  return {finding, Message::verbatim(what), Message::verbatim(measured), Message::verbatim(fix)};
-}
-
-TEST(FindingsTable, ShowsTheWorstFirstAndClaimsNoTestThatWasNotMade) {
-  using haptics::devices::Finding;
-  FindingsTable table(nullptr);
-  table.show(
-      {{"a", resultIn(Finding::Pass, "x", "1", ""), "", false},
-       {"b", resultIn(Finding::Pass, "x", "1", "")},
-       {"c", resultIn(Finding::Fail, "x", "1", "Do it.")},
-       {"d", resultIn(Finding::Warn, "x", "1", "Look.")}});
-  QString parts;
-  for (int row = 0; row < table.rowCount(); ++row) parts += table.item(row, 0)->text();
-  EXPECT_EQ(parts, QStringLiteral("CDBA"));
-  EXPECT_EQ(table.item(3, 1)->text(), QStringLiteral("– not tested"));
-  EXPECT_EQ(table.item(0, 1)->foreground().style(), Qt::NoBrush) << "the theme may change";
 }
 
 TEST_F(OperatorLayout, KeepsTheFocusOffButtonsThatEndTheSession) {

@@ -7,6 +7,7 @@
 #include <QTest>
 #include <QTextBlock>
 
+#include "haptics/devices/messages.h"
 #include "protocols/load_protocol.h"
 #include "study/gui/authoring/protocol_window.h"
 #include "study/gui/desk/export_dialog.h"
@@ -17,6 +18,7 @@
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/desk/tour.h"
 #include "study/gui/home/home_window.h"
+#include "study/gui/operator/findings_dialog.h"
 #include "study/gui/participant/trial_page.h"
 #include "study/gui/widgets/message_box.h"
 #include "tests/study/gui/pictures.h"
@@ -95,6 +97,32 @@ TEST_F(HelpTest, UsesTheTopicPropertyOfAWidget) {
   QWidget part(&home);
   part.setProperty("help", QStringLiteral("Copies"));
   EXPECT_EQ(helpTopicOf(part), QStringLiteral("Copies"));
+}
+
+TEST_F(HelpTest, OpensThePageOnDevicesFromWhatACheckFound) {
+  using haptics::devices::deviceMessage;
+  using haptics::devices::Finding;
+  const auto helpOn = [](const haptics::devices::CheckResult& result) {
+    delete openHelp();
+    FindingsDialog dialog({{"punch", {result}}}, FindingsDialog::Question::Nothing, {}, nullptr);
+    dialog.QDialog::show();
+    dialog.findChild<QPushButton*>(QStringLiteral("help"))->click();
+    return openHelp() == nullptr ? QString() : openHelp()->heading();
+  };
+  EXPECT_EQ(
+      helpOn(
+          {Finding::Warn,
+           deviceMessage("check.round_trip"),
+           deviceMessage("check.median_and_p99", 1210.0, 4100.0),
+           deviceMessage("check.round_trip.fix")}),
+      QStringLiteral("Real time"));
+  EXPECT_EQ(
+      helpOn(
+          {Finding::Fail,
+           deviceMessage("check.board_faults"),
+           deviceMessage("check.board_faults.encoder"),
+           deviceMessage("check.board_faults.fix")}),
+      QStringLiteral("Trouble"));
 }
 
 TEST_F(HelpTest, FitsPicturesAndLinesIntoTheWindow) {
