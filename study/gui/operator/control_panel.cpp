@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "study/gui/operator/timeline_table.h"
 #include "study/gui/session/session_controller.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/fitting_scroll.h"
@@ -69,9 +70,10 @@ ControlPanel::ControlPanel(QWidget* parent)
   layout->addWidget(cohort_);
   layout->addWidget(stop_);
   layout->addWidget(state_);
-  auto* scroll = scrolled(makeButtons(), this);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  layout->addWidget(scroll, 1);
+  scroll_ = scrolled(makeButtons(), this);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->viewport()->installEventFilter(this);
+  layout->addWidget(scroll_, 1);
   connectButtons();
   refresh();
 }
@@ -144,9 +146,22 @@ QLabel* ControlPanel::addGroup(
   return heading;
 }
 
-void ControlPanel::takeSteps(QWidget& steps) {
+void ControlPanel::takeSteps(TimelineTable& steps) {
   constexpr int kAlmostAll = 1000;  // of the space that the buttons leave
   buttons_->addWidget(&steps, kAlmostAll);
+  steps_ = &steps;
+  fitSteps();
+}
+
+void ControlPanel::fitSteps() {
+  if (steps_ == nullptr || !isAncestorOf(steps_)) return;
+  const int others = buttons_->minimumSize().height() - steps_->minimumHeight();
+  steps_->scrollItself(scroll_->viewport()->height() >= others + TimelineTable::kLeastHeight);
+}
+
+bool ControlPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) fitSteps();
+  return QWidget::eventFilter(watched, event);
 }
 
 void ControlPanel::connectButtons() {
@@ -275,6 +290,7 @@ void ControlPanel::refresh() {
   handOver_->setEnabled(isOpen);
   consent_->setVisible(isOpen && !isRunning);
   close_->setVisible(isOpen && !isRunning);
+  fitSteps();
   keepFocusOffButtons();
 }
 

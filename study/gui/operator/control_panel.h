@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <QWidget>
 
@@ -16,6 +17,7 @@
 namespace study::gui {
 
 class SessionController;
+class TimelineTable;
 
 /// The operator's buttons, with the state of the session. A button is shown only while the session
 /// allows its action, and each exceptional action asks for a reason. The stop button, the state and
@@ -31,8 +33,9 @@ class ControlPanel final : public QWidget {
   void refresh();
   /// Shows how far the running trial is.
   void updateTrial();
-  /// Puts @p steps below the buttons.
-  void takeSteps(QWidget& steps);
+  /// Puts @p steps below the buttons. They scroll by themselves only where that leaves the buttons
+  /// in their place; otherwise both are scrolled together.
+  void takeSteps(TimelineTable& steps);
   QPushButton* stopButton() const noexcept { return stop_; }
 
  signals:
@@ -42,6 +45,10 @@ class ControlPanel final : public QWidget {
   /// The participant asks for a copy of the consent they gave.
   void consentCopyRequested();
   void closeSessionRequested();
+
+ protected:
+  /// Fits the steps when their place is resized.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   using Perform = void (SessionController::*)(const QString& reason);
@@ -57,6 +64,7 @@ class ControlPanel final : public QWidget {
   bool mayDo(SessionEvent event) const;
   void keepFocusOffButtons();
   void connectButtons();
+  void fitSteps();
   void showParticipant();
   void performWithReason(Perform action, MessageTopic topic);
   void saveNote();
@@ -74,7 +82,9 @@ class ControlPanel final : public QWidget {
   StateLine* state_;
   QLabel* now_ = nullptr;   ///< the heading of what can be done now
   QLabel* ends_ = nullptr;  ///< the heading of what ends the session
+  QScrollArea* scroll_ = nullptr;
   QVBoxLayout* buttons_ = nullptr;
+  TimelineTable* steps_ = nullptr;  ///< nullptr before they were here
   QPushButton* pause_ = nullptr;
   QPushButton* saveTrial_;
   QPushButton* resume_;

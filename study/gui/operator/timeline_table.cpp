@@ -49,8 +49,21 @@ TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
   setSelectionMode(QAbstractItemView::NoSelection);
   makeReadOnly(*this);
   setFocusPolicy(Qt::NoFocus);
-  constexpr int kThreeSteps = 130;  // [px]
-  setMinimumHeight(kThreeSteps);
+  fitHeight();
+  // A narrow column wraps the names of steps. Queued: a header that resizes its sections knows
+  // their sizes only afterwards.
+  connect(
+      horizontalHeader(),
+      &QHeaderView::sectionResized,
+      this,
+      &QTableWidget::resizeRowsToContents,
+      Qt::QueuedConnection);
+  connect(
+      verticalHeader(),
+      &QHeaderView::sectionResized,
+      this,
+      &TimelineTable::fitHeight,
+      Qt::QueuedConnection);
   // The hint is too large for a low screen.
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
 }
@@ -63,7 +76,16 @@ void TimelineTable::resizeEvent(QResizeEvent* event) {
   // The step's name needs more room than its status, which wraps.
   setColumnWidth(4, std::min(widthOfStatus(), event->size().width() * 35 / 100));
   QTableWidget::resizeEvent(event);
-  resizeRowsToContents();  // a narrow column wraps the names of steps
+}
+
+void TimelineTable::scrollItself(bool does) {
+  scrollsItself_ = does;
+  fitHeight();
+}
+
+void TimelineTable::fitHeight() {
+  const int all = horizontalHeader()->sizeHint().height() + verticalHeader()->length();
+  setMinimumHeight(scrollsItself_ ? kLeastHeight : std::max(kLeastHeight, all + 2 * frameWidth()));
 }
 
 /// The width of the longest status, as bold as that of the current step.
@@ -92,6 +114,7 @@ void TimelineTable::show(const SessionController* controller) {
   constexpr int kBolder = 8;  // [px] of the current step's number
   if (isNew) setColumnWidth(0, columnWidth(0) + kBolder);
   if (isNew) resizeRowsToContents();
+  if (isNew) fitHeight();
   const int now = controller->session().stepIndex();
   if (now < steps) scrollToItem(item(now, 1), QAbstractItemView::PositionAtCenter);
 }

@@ -16,14 +16,21 @@ class TimelineTable final : public QTableWidget {
 
   /// Shows the steps of @p controller's session; nullptr: an empty table.
   void show(const SessionController* controller);
+  /// Whether it scrolls; otherwise it is as high as its rows, and what it lies in is scrolled.
+  void scrollItself(bool does);
+
+  static constexpr int kLeastHeight = 130;  ///< [px] of one that scrolls: three steps
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   int widthOfStatus() const;
+  void fitHeight();
   void fillRow(int row, const SessionController& controller);
   void write(int row, int column, const QString& words, bool isNow);
+
+  bool scrollsItself_ = true;
 };
 
 }  // namespace study::gui

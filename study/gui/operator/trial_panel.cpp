@@ -11,6 +11,7 @@
 #include "study/gui/operator/cut_table.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/servo_panel.h"
+#include "study/gui/operator/timeline_table.h"
 #include "study/gui/operator/travel_plot.h"
 #include "study/gui/operator/travel_scale.h"
 #include "study/gui/session/trial_view.h"
@@ -83,7 +84,8 @@ void TrialPanel::showForces(bool areShown) {
   showNumbers();
 }
 
-void TrialPanel::takeSteps(QWidget& steps) {
+void TrialPanel::takeSteps(TimelineTable& steps) {
+  steps.scrollItself(true);
   constexpr int kAlone = 1000;  // nothing else takes free space while the forces are hidden
   static_cast<QBoxLayout*>(layout())->addWidget(&steps, kAlone);
 }

@@ -12,6 +12,7 @@ class BoneColoursButton;
 class CutTable;
 class LivePlot;
 class ServoPanel;
+class TimelineTable;
 class TravelPlot;
 
 /// The running trial: its timing and, unless they are hidden, its forces over time and travel and
@@ -32,7 +33,7 @@ class TrialPanel final : public QWidget {
   /// Shows everything that tells how large the force is, or hides it.
   void showForces(bool areShown);
   /// Puts @p steps, which have no other place while the forces are hidden, into this panel.
-  void takeSteps(QWidget& steps);
+  void takeSteps(TimelineTable& steps);
   /// Closes the window with the coloured bone, which only the operator may see.
   void closeBoneWindow();
 

@@ -30,6 +30,7 @@
 #include "study/gui/operator/page_mirror.h"
 #include "study/gui/operator/servo_panel.h"
 #include "study/gui/operator/sessions_page.h"
+#include "study/gui/operator/timeline_table.h"
 #include "study/gui/operator/trial_panel.h"
 #include "study/gui/operator/window_geometries.h"
 #include "study/gui/session/station_push.h"
@@ -330,6 +331,27 @@ TEST_F(OperatorLayout, ShowsATrialWithoutScrollingFromHalfAScreen) {
     EXPECT_LE(cuts->horizontalHeader()->length(), cuts->viewport()->width()) << size.width();
     tests::photograph(window_, QStringLiteral("in-trial-%1").arg(size.width()));
   }
+  window_.controller()->stop();
+}
+
+TEST_F(OperatorLayout, ScrollsTheStepsOrTheButtonsAboveThemButNotBoth) {
+  enrol();
+  const auto* controls = window_.findChild<ControlPanel*>();
+  const auto* steps = controls->findChild<TimelineTable*>();
+  const auto* outer = controls->findChild<QScrollArea*>()->verticalScrollBar();
+  const auto expectOne = [&](const char* when) {
+    for (const QSize size : {kWideScreen, kLowScreen, kLargePrint, QSize(1366, 728), kWideScreen}) {
+      show(size);
+      QTest::qWait(20);  // heights of rows follow
+      EXPECT_TRUE(outer->maximum() == 0 || steps->verticalScrollBar()->maximum() == 0)
+          << when << ' ' << size.width();
+    }
+    EXPECT_EQ(outer->maximum(), 0) << "there is room";
+  };
+  expectOne("before the trial");
+  participant_.goTo(StepKind::Trial);
+  participant_.cut(1);
+  expectOne("in the trial");
   window_.controller()->stop();
 }
 
