@@ -1,6 +1,10 @@
 #include "study/gui/participant/column.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QHBoxLayout>
+#include <QLayout>
 
 #include "study/gui/widgets/theme.h"
 
@@ -29,6 +33,30 @@ QVBoxLayout* addColumn(QWidget& page, ColumnWidth width, ColumnIn in) {
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(scaled(page, 12));
   return rows;
+}
+
+double scaleFor(QSize size) noexcept {
+  constexpr double kHeight = 800.0;  // [px] of a window with the scale 1
+  constexpr double kWidth = 1024.0;
+  constexpr double kSteps = 20.0;  // the scale changes in steps of 1/20, so that dragging an edge
+                                   // does not restyle at every pixel
+  const double wanted = std::min(size.height() / kHeight, size.width() / kWidth);
+  return std::max(1.0, std::floor(wanted * kSteps) / kSteps);
+}
+
+void scaleDistances(QWidget& page, double ratio) {
+  const auto scaledBy = [ratio](int length) {
+    return static_cast<int>(std::lround(ratio * length));
+  };
+  for (auto* layout : page.findChildren<QLayout*>()) {
+    const auto margins = layout->contentsMargins();
+    layout->setContentsMargins(
+        scaledBy(margins.left()),
+        scaledBy(margins.top()),
+        scaledBy(margins.right()),
+        scaledBy(margins.bottom()));
+    if (layout->spacing() > 0) layout->setSpacing(scaledBy(layout->spacing()));
+  }
 }
 
 }  // namespace study::gui

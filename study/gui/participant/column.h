@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QSize>
 #include <QVBoxLayout>
 #include <QWidget>
 
@@ -18,5 +19,12 @@ enum class ColumnIn {
 /// Adds a centred column to @p page. With and without a scroll bar it has the same place.
 QVBoxLayout* addColumn(
     QWidget& page, ColumnWidth width = ColumnWidth::Text, ColumnIn in = ColumnIn::Window);
+
+/// The scale of the participant's pages in a window of @p size [px]: 1 on a laptop, growing with
+/// the window: text is 23 px high on 1920 × 1080, and 46 px on 3840 × 2160.
+double scaleFor(QSize size) noexcept;
+
+/// Scales the distances in a page that was made at another scale.
+void scaleDistances(QWidget& page, double ratio);
 
 }  // namespace study::gui

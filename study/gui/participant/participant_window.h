@@ -105,8 +105,4 @@ class ParticipantWindow final : public QWidget {
   bool mayClose_ = false;
 };
 
-/// The scale of the participant's pages in a window of @p size [px]: 1 on a laptop, growing with
-/// the window: text is 23 px high on 1920 × 1080, and 46 px on 3840 × 2160.
-double scaleFor(QSize size) noexcept;
-
 }  // namespace study::gui

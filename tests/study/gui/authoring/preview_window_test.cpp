@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "protocols/load_protocol.h"
+#include "study/gui/participant/column.h"
 #include "study/gui/widgets/theme.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"

@@ -23,6 +23,7 @@
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/operator/consent_copy_dialog.h"
 #include "study/gui/operator/operator_window.h"
+#include "study/gui/participant/column.h"
 #include "study/gui/participant/option_buttons.h"
 #include "study/gui/participant/questionnaire_page.h"
 #include "study/gui/participant/trial_page.h"
