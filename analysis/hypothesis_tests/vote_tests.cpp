@@ -1,8 +1,11 @@
 #include "analysis/hypothesis_tests/vote_tests.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
+
+#include <boost/math/special_functions/gamma.hpp>
 
 #include "analysis/data/ranks.h"
 #include "analysis/hypothesis_tests/friedman.h"
@@ -12,64 +15,69 @@
 namespace analysis {
 namespace {
 
-constexpr std::size_t kTooMany = 127;               // both votes and options must be fewer
-constexpr Int128 kMostOutcomes = Int128{1} << 126;  // largest divisor of exactQuotient()
+constexpr std::size_t kTooMany = 127;             // of whole numbers: votes and options
+constexpr Int128 kMostOrders = Int128{1} << 126;  // largest divisor of exactQuotient()
+constexpr std::size_t kMostOutcomes = std::size_t{1} << 20U;
+constexpr double kSameLog = 1e-9;  // logarithms of equal probabilities differ by less
 
 const auto& binomials() {
   static const auto table = binomialCoefficients<Int128>(kTooMany - 1);
   return table;
 }
 
-/// Enumerates all outcomes. Outcomes that differ only in which option got which count are visited
-/// together.
+/// So many options got so many votes each.
+struct SameCount {
+  std::size_t votesEach;
+  std::size_t options;
+};
+
+/// All outcomes of a vote. Outcomes that differ only in which option got which count are one.
 class Outcomes {
  public:
-  explicit Outcomes(Int128 observed) : observed_(observed) {}
+  /// Calls @p visit with each outcome: the counts above zero, the largest first. Returns whether
+  /// there are at most kMostOutcomes; visits no more than these.
+  template <typename Visit>
+  static bool forEach(std::size_t votes, std::size_t options, const Visit& visit) {
+    std::vector<SameCount> outcome;
+    std::size_t left = kMostOutcomes;
+    return distribute(votes, options, votes, outcome, [&] {
+      if (left == 0) return false;
+      --left;
+      visit(outcome);
+      return true;
+    });
+  }
 
+ private:
   /// Distributes the remaining @p votes over the remaining @p options, none of which gets more than
-  /// @p largest. The counts chosen so far arise from @p orders orders of the votes and can be
-  /// assigned to options in @p assignments ways.
-  void visit(
+  /// @p largest.
+  template <typename Visit>
+  static bool distribute(
       std::size_t votes,
       std::size_t options,
       std::size_t largest,
-      Int128 orders,
-      Int128 assignments) {
-    if (votes == 0) {
-      if (orders <= observed_) countOfNotMoreProbable_ += orders * assignments;
-      return;
-    }
-    for (std::size_t votesEach = std::min(largest, votes);
-         votesEach * options >= votes && votesEach > 0;
-         --votesEach) {
-      Int128 ordersHere = orders;
-      for (std::size_t sameCountOptions = 1;
-           sameCountOptions <= options && sameCountOptions * votesEach <= votes;
-           ++sameCountOptions) {
-        const std::size_t left = votes - sameCountOptions * votesEach;
-        ordersHere *= binomials()[left + votesEach][votesEach];
-        visit(
-            left,
-            options - sameCountOptions,
-            votesEach - 1,
-            ordersHere,
-            assignments * binomials()[options][sameCountOptions]);
+      std::vector<SameCount>& outcome,
+      const Visit& visit) {
+    if (votes == 0) return visit();
+    for (std::size_t each = std::min(largest, votes); each * options >= votes && each > 0; --each) {
+      for (std::size_t same = 1; same <= options && same * each <= votes; ++same) {
+        outcome.push_back({each, same});
+        const bool goesOn =
+            distribute(votes - same * each, options - same, each - 1, outcome, visit);
+        outcome.pop_back();
+        if (!goesOn) return false;
       }
     }
+    return true;
   }
-  Int128 countOfNotMoreProbable() const { return countOfNotMoreProbable_; }
-
- private:
-  Int128 observed_;
-  Int128 countOfNotMoreProbable_ = 0;
 };
 
 /// kⁿ, or std::nullopt if it does not fit.
-std::optional<Int128> outcomeCount(std::size_t options, std::uint64_t votes) {
+std::optional<Int128> orderCount(std::size_t options, std::size_t votes) {
   if (options >= kTooMany || votes >= kTooMany) return std::nullopt;
   Int128 count = 1;
-  for (std::uint64_t i = 0; i < votes; ++i) {
-    if (count > kMostOutcomes / static_cast<Int128>(options)) return std::nullopt;
+  for (std::size_t i = 0; i < votes; ++i) {
+    if (count > kMostOrders / static_cast<Int128>(options)) return std::nullopt;
     count *= static_cast<Int128>(options);
   }
   return count;
@@ -86,16 +94,62 @@ Int128 ordersOf(const std::vector<VoteShare>& shares) {
   return orders;
 }
 
+/// In whole numbers, so that equal terms are recognised.
+std::optional<double> wholeP(const std::vector<VoteShare>& shares, std::size_t votes, Int128 all) {
+  const Int128 observed = ordersOf(shares);
+  Int128 notMoreProbable = 0;
+  const bool isComplete = Outcomes::forEach(votes, shares.size(), [&](const auto& outcome) {
+    Int128 orders = 1;
+    Int128 assignments = 1;
+    std::size_t left = votes;
+    std::size_t options = shares.size();
+    for (const auto& [each, same] : outcome) {
+      assignments *= binomials()[options][same];
+      options -= same;
+      for (std::size_t i = 0; i < same; ++i, left -= each) orders *= binomials()[left][each];
+    }
+    if (orders <= observed) notMoreProbable += orders * assignments;
+  });
+  if (!isComplete) return std::nullopt;
+  return exactQuotient(notMoreProbable, all).high;
+}
+
+/// By logarithms, for numbers that do not fit.
+std::optional<double> logarithmicP(const std::vector<VoteShare>& shares, std::size_t votes) {
+  const std::size_t options = shares.size();
+  if (votes > 2 * kMostOutcomes || options > kMostOutcomes) return std::nullopt;
+  std::vector<double> logFactorials{0.0};
+  for (std::size_t n = 1; n <= std::max(votes, options); ++n) {
+    logFactorials.push_back(boost::math::lgamma(static_cast<double>(n) + 1.0));
+  }
+  const double all = static_cast<double>(votes) * std::log(static_cast<double>(options));
+  double observed = logFactorials[votes];
+  for (const auto& share : shares) observed -= logFactorials[share.votes];
+  double p = 0.0;
+  const bool isComplete = Outcomes::forEach(votes, options, [&](const auto& outcome) {
+    double orders = logFactorials[votes];
+    double assignments = logFactorials[options];
+    std::size_t withoutVotes = options;
+    for (const auto& [each, same] : outcome) {
+      orders -= static_cast<double>(same) * logFactorials[each];
+      assignments -= logFactorials[same];
+      withoutVotes -= same;
+    }
+    assignments -= logFactorials[withoutVotes];
+    if (orders <= observed + kSameLog) p += std::exp(orders + assignments - all);
+  });
+  if (!isComplete) return std::nullopt;
+  return std::min(p, 1.0);
+}
+
 }  // namespace
 
 std::optional<double> equalSharesP(const VoteCounts& votes) {
   const auto shares = votes.shares();
-  const auto all = outcomeCount(shares.size(), votes.total());
-  if (!all || votes.total() == 0) return std::nullopt;
-
-  Outcomes outcomes(ordersOf(shares));
-  outcomes.visit(votes.total(), shares.size(), votes.total(), 1, 1);
-  return exactQuotient(outcomes.countOfNotMoreProbable(), *all).high;
+  const auto total = static_cast<std::size_t>(votes.total());
+  if (total == 0) return std::nullopt;
+  const auto all = orderCount(shares.size(), total);
+  return all ? wholeP(shares, total, *all) : logarithmicP(shares, total);
 }
 
 namespace {

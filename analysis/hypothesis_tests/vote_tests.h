@@ -17,9 +17,10 @@ namespace analysis {
 ///
 /// summed over all outcomes v with a term not larger than that of the observed outcome.
 ///
-/// Computed in whole numbers, so that equal terms are recognised and p is correctly rounded.
-/// Returns std::nullopt without votes, and for too many outcomes: kⁿ > 2¹²⁶, that is from 127 votes
-/// on two options, 80 on three, 64 on four.
+/// Computed in whole numbers up to kⁿ = 2¹²⁶ (126 votes on two options, 79 on three, 63 on four),
+/// so that equal terms are recognised and p is correctly rounded; above by logarithms, to about ten
+/// digits. Returns std::nullopt without votes, and for more than a million outcomes, which begins
+/// at about 3500 votes on three options, 530 on four, 230 on five.
 std::optional<double> equalSharesP(const VoteCounts& votes);
 
 /// The result of the test of equal shares. If a number is missing, `reason` says why.

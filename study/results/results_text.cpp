@@ -339,11 +339,12 @@ class Writer {
       for (const auto& cohort : table.cohorts) {
         const auto& title = cohortTitle(cohort.cohort);
         for (const auto* vote : cohort.rounds) {
-          const auto& p = vote->test.exactP;
+          const auto& exactP = vote->test.exactP;
+          const auto& p = exactP ? exactP : vote->test.p;
           const bool isTested = p && vote->votes.total() > 1;
           line(
               votesInWords(title, "after " + vote->block, vote->votes) +
-              (isTested ? "exact " + inWords(p) : "") +
+              (isTested ? (exactP ? "exact " : "χ² ") + inWords(p) : "") +
               (vote->leftOut > 0 ? fmt::format("; not counted: {}, who skipped one", vote->leftOut)
                                  : ""));
         }

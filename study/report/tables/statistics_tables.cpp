@@ -407,17 +407,19 @@ class TablesWriter {
     const auto row = [&](const std::string& who,
                          const std::string& afterBlock,
                          const analysis::VoteCounts& counts,
-                         const std::optional<double>& p) {
+                         const std::string& p) {
       Cells cells{who, afterBlock};
       for (const auto& share : counts.shares()) cells.push_back(std::to_string(share.votes));
-      cells.push_back(p ? formatP(p) : std::string());
+      cells.push_back(p);
       table.rows.push_back(std::move(cells));
     };
     for (const auto& one : votes.cohorts) {
       if (one.sum.total() == 0) continue;
       const auto who = section_.cohortTitle(one.cohort);
       for (const auto* vote : one.rounds) {
-        row(who, section_.blockTitle(vote->block), vote->votes, vote->test.exactP);
+        const auto& test = vote->test;
+        const auto p = test.exactP ? formatP(test.exactP) : test.p ? "χ²: " + formatP(test.p) : "";
+        row(who, section_.blockTitle(vote->block), vote->votes, p);
       }
       if (one.rounds.size() > 1) row(who, say("Sum"), one.sum, {});
     }

@@ -82,13 +82,30 @@ TEST(EqualShares, AreOneForTheMostEqualOutcome) {
   EXPECT_EQ(equalSharesP(votes({63, 63})), 1.0);
 }
 
-TEST(EqualShares, AreCountedUpToTheLimitOfIntegers) {
+TEST(EqualShares, AreCountedInWholeNumbersWhereTheseSuffice) {
   EXPECT_EQ(equalSharesP(votes({126, 0})), 0x1p-125);
   EXPECT_EQ(equalSharesP(votes({63, 0, 0, 0})), 0x1p-124);
-  EXPECT_TRUE(equalSharesP(votes({40, 20, 19})).has_value());
-  EXPECT_FALSE(equalSharesP(votes({127, 0})).has_value());
-  EXPECT_FALSE(equalSharesP(votes({40, 20, 20})).has_value());
-  EXPECT_FALSE(equalSharesP(votes({64, 0, 0, 0})).has_value());
+}
+
+TEST(EqualShares, AreExactOfManyVotesAsWell) {
+  const auto isNear = [](const std::vector<std::uint64_t>& counts, double p) {
+    EXPECT_NEAR(equalSharesP(votes(counts)).value() / p, 1.0, 1e-10);
+  };
+  // Python, with whole numbers:
+  // n, k = sum(v), len(v); w = lambda v: factorial(n) // prod(map(factorial, v))
+  // Fraction(sum(w(o) for o in all_outcomes(n, k) if w(o) <= w(v)), k ** n)
+  isNear({33, 62, 105}, 2.2116274130164493e-09);
+  isNear({40, 20, 20}, 0.009398797420308138);
+  isNear({64, 64}, 1.0);
+  isNear({127, 0}, 1.1754943508222875e-38);
+  isNear({70, 52, 60}, 0.2631737922226579);
+  isNear({20, 16, 24, 28}, 0.3070250554178492);
+  isNear({500, 500, 500}, 1.0);
+}
+
+TEST(EqualShares, AreNotCountedForMoreThanAMillionOutcomes) {
+  EXPECT_TRUE(equalSharesP(votes({200, 100, 100, 100})).has_value());
+  EXPECT_FALSE(equalSharesP(votes({200, 200, 200, 200})).has_value());
   EXPECT_FALSE(equalSharesP(votes({std::uint64_t{1} << 40, 0})).has_value());
 }
 
