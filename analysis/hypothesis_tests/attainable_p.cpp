@@ -55,6 +55,32 @@ std::optional<double> pOfWinner(std::uint64_t winner, std::uint64_t n, int k) {
 
 }  // namespace
 
+FamilyLevels levelsOf(double alpha, std::size_t tests, std::optional<Adjustment> correction) {
+  requireLevel(alpha);
+  if (!correction) return {.strictest = alpha, .mostLenient = alpha};
+  const double bonferroni = alphaPerTest(alpha, tests);
+  const auto m = static_cast<double>(tests);
+  switch (*correction) {
+    case Adjustment::Bonferroni:
+    case Adjustment::Holm:
+      return {.strictest = bonferroni, .mostLenient = bonferroni};
+    case Adjustment::HolmSidak: {
+      const double level = -std::expm1(std::log1p(-alpha) / m);
+      return {.strictest = level, .mostLenient = level};
+    }
+    case Adjustment::Hochberg:
+    case Adjustment::Hommel:
+    case Adjustment::BenjaminiHochberg:
+      return {.strictest = bonferroni, .mostLenient = alpha};
+    case Adjustment::BenjaminiYekutieli: {
+      double harmonic = 0.0;
+      for (double i = 1.0; i <= m; i += 1.0) harmonic += 1.0 / i;
+      return {.strictest = bonferroni / harmonic, .mostLenient = alpha / harmonic};
+    }
+  }
+  throw std::invalid_argument("there is no such adjustment");
+}
+
 AttainableP smallestSignFlipP(std::uint64_t n) {
   return n < 2 ? AttainableP{} : power(2.0, static_cast<double>(n - 1));
 }
@@ -87,10 +113,8 @@ AttainableP smallestVoteP(std::uint64_t n, int k) {
   return n < 2 ? AttainableP{} : power(k, static_cast<double>(n - 1));
 }
 
-std::uint64_t fewestParticipantsForSignFlip(double alpha, std::uint64_t comparisons) {
-  requireLevel(alpha);
-  if (comparisons == 0) throw std::invalid_argument("a family has at least one comparison");
-  const double level = alpha / static_cast<double>(comparisons);
+std::uint64_t fewestParticipantsForSignFlip(double level) {
+  requireLevel(level);
   std::uint64_t n = 2;
   while (std::ldexp(1.0, 1 - static_cast<int>(n)) > level) ++n;
   return n;
@@ -99,13 +123,17 @@ std::uint64_t fewestParticipantsForSignFlip(double alpha, std::uint64_t comparis
 std::optional<std::uint64_t> fewestVotesForSignificance(std::uint64_t n, int k, double alpha) {
   requireLevel(alpha);
   requireOptions(k);
-  std::optional<std::uint64_t> fewest;
-  for (std::uint64_t winner = n; winner > 0; --winner) {
-    const auto p = pOfWinner(winner, n, k);
-    if (!p || *p > alpha) break;
-    fewest = winner;
+  const auto suffices = [&](std::uint64_t winner) {
+    return pOfWinner(winner, n, k).value_or(1.0) <= alpha;
+  };
+  if (!suffices(n)) return std::nullopt;
+  std::uint64_t tooFew = n / static_cast<std::uint64_t>(k);  // p falls as the winner gains
+  std::uint64_t enough = n;
+  while (enough - tooFew > 1) {
+    const auto middle = tooFew + (enough - tooFew) / 2;
+    (suffices(middle) ? enough : tooFew) = middle;
   }
-  return fewest;
+  return enough;
 }
 
 }  // namespace analysis

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+
+#include "analysis/hypothesis_tests/adjustment.h"
 
 namespace analysis {
 
@@ -13,6 +16,19 @@ struct AttainableP {
   double p = 1.0;
   double log10P = 0.0;
 };
+
+/// Up to which value the smallest p of a family of tests is significant after correction.
+struct FamilyLevels {
+  double strictest = 0.05;    ///< whatever the other p values of the family are
+  double mostLenient = 0.05;  ///< if all p values of the family are alike
+};
+
+/// Of m tests: strictest is α / m; 1 − (1 − α)^(1/m) for HolmSidak, α / (m (1 + 1/2 + … + 1/m)) for
+/// BenjaminiYekutieli. mostLenient is the same for Bonferroni, Holm and HolmSidak; m times that for
+/// all others.
+/// @param correction  std::nullopt: both are @p alpha
+/// @throws std::invalid_argument  for an alpha that is not between 0 and 1, or no tests.
+FamilyLevels levelsOf(double alpha, std::size_t tests, std::optional<Adjustment> correction);
 
 /// Sign flips, the sign test and the signed rank test on n differences of the same sign:
 ///
@@ -44,10 +60,10 @@ AttainableP smallestMannWhitneyP(std::uint64_t n1, std::uint64_t n2);
 /// @throws std::invalid_argument  for fewer than two options, or more than 1000.
 AttainableP smallestVoteP(std::uint64_t n, int k);
 
-/// The fewest participants with whom an exact paired test can be significant, if it is one of a
-/// family of m with Bonferroni's correction: the smallest n with 2^(1 − n) ≤ α / m.
-/// @throws std::invalid_argument  for an alpha that is not between 0 and 1, or no comparisons.
-std::uint64_t fewestParticipantsForSignFlip(double alpha, std::uint64_t comparisons);
+/// The fewest participants with whom an exact paired test can have a p of at most @p level: the
+/// smallest n with 2^(1 − n) ≤ level.
+/// @throws std::invalid_argument  for a level that is not between 0 and 1.
+std::uint64_t fewestParticipantsForSignFlip(double level);
 
 /// The votes that one of k options needs for the exact multinomial test of equal shares to reach α,
 /// however the other votes are distributed. std::nullopt if not even all n votes suffice, or if

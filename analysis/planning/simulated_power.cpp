@@ -89,7 +89,7 @@ LikertAnswers LikertCohort::next(std::span<const double> shifts) {
 
 namespace {
 
-constexpr std::size_t kMostExactDifferences = 50;
+constexpr std::size_t kMostExactSteps = 50U * 50U * 51U;  // of counting the signs of 50 ranks
 using Sums = std::vector<int>;  ///< of one participant's answers, by condition
 
 /// Twice the midranks, which are whole numbers.
@@ -105,42 +105,43 @@ std::vector<int> doubledRanks(const std::vector<int>& values) {
   return ranks;
 }
 
-/// P(sum of the positive doubled ranks ≤ @p least), if all 2ⁿ assignments of signs are equally
-/// likely.
-double lowerTail(const std::vector<int>& doubled, int least) {
+/// P(sum of the positive @p sizes ≤ @p least), if all 2ⁿ assignments of signs are equally likely.
+double lowerTail(const std::vector<int>& sizes, int least) {
   std::vector<double> ways(static_cast<std::size_t>(least) + 1, 0.0);
   ways[0] = 1.0;
-  for (const int rank : doubled) {
-    for (int sum = least; sum >= rank; --sum) {
-      ways[static_cast<std::size_t>(sum)] += ways[static_cast<std::size_t>(sum - rank)];
+  for (const int size : sizes) {
+    for (int sum = least; sum >= size; --sum) {
+      ways[static_cast<std::size_t>(sum)] += ways[static_cast<std::size_t>(sum - size)];
     }
   }
   const double all = std::accumulate(ways.begin(), ways.end(), 0.0);
-  return std::ldexp(all, -static_cast<int>(doubled.size()));
+  return std::ldexp(all, -static_cast<int>(sizes.size()));
 }
 
-double signedRankP(const std::vector<int>& differences) {
-  std::vector<int> sizes;
-  for (const int d : differences) {
-    if (d != 0) sizes.push_back(std::abs(d));
-  }
+/// The two-sided p of the sum of @p sizes with the signs of @p differences, none of which is 0.
+/// @param step  between two sums of the positive ones
+double flippedP(const std::vector<int>& differences, const std::vector<int>& sizes, double step) {
   if (sizes.empty()) return 1.0;
-  const auto doubled = doubledRanks(sizes);
   int positive = 0;
-  std::size_t next = 0;
-  for (const int d : differences) {
-    if (d == 0) continue;
-    positive += d > 0 ? doubled[next] : 0;
-    ++next;
+  int total = 0;
+  double variance = 0.0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    positive += differences[i] > 0 ? sizes[i] : 0;
+    total += sizes[i];
+    variance += 0.25 * sizes[i] * sizes[i];
   }
-  const int total = std::accumulate(doubled.begin(), doubled.end(), 0);
   const int least = std::min(positive, total - positive);
-  if (sizes.size() <= kMostExactDifferences) return std::min(1.0, 2.0 * lowerTail(doubled, least));
-
-  double variance = 0.0;  // of the doubled sum: Σ r² / 4, ties included
-  for (const int rank : doubled) variance += 0.25 * rank * rank;
-  const double z = std::max(0.0, 0.5 * total - least - 1.0) / std::sqrt(variance);
+  if (sizes.size() * static_cast<std::size_t>(total) <= kMostExactSteps) {
+    return std::min(1.0, 2.0 * lowerTail(sizes, least));
+  }
+  const double z = std::max(0.0, 0.5 * (total - step) - least) / std::sqrt(variance);
   return normalTwoSidedP(z);
+}
+
+std::vector<int> magnitudesOf(const std::vector<int>& differences) {
+  std::vector<int> sizes;
+  for (const int d : differences) sizes.push_back(std::abs(d));
+  return sizes;
 }
 
 /// One simulated study and the critical values of its tests. For speed, the tests use integer sums
@@ -150,7 +151,7 @@ class SimulatedStudy {
   explicit SimulatedStudy(const PowerSimulation& s)
       : conditions_(static_cast<std::size_t>(s.model.conditions)),
         answers_(s.model.answers),
-        level_(s.alpha / static_cast<double>(s.comparisons)),
+        level_(s.alphaPerTest),
         criticalT_(
             StudentDistribution(static_cast<double>(s.participants - 1)).twoSidedQuantile(level_)),
         criticalChiSquared_(
@@ -183,8 +184,14 @@ class SimulatedStudy {
     return spread > 0.0 && std::abs(sum) * std::sqrt(n - 1.0) > criticalT_ * std::sqrt(spread);
   }
 
+  bool signFlip(std::size_t a, std::size_t b) const {
+    const auto different = differencesWithoutZeros(a, b);
+    return flippedP(different, magnitudesOf(different), 1.0) <= level_;
+  }
+
   bool signedRank(std::size_t a, std::size_t b) const {
-    return signedRankP(differences(a, b)) <= level_;
+    const auto different = differencesWithoutZeros(a, b);
+    return flippedP(different, doubledRanks(magnitudesOf(different)), 2.0) <= level_;
   }
 
   bool pooledWelch(std::size_t a, std::size_t b) {
@@ -236,6 +243,12 @@ class SimulatedStudy {
     return found;
   }
 
+  std::vector<int> differencesWithoutZeros(std::size_t a, std::size_t b) const {
+    auto found = differences(a, b);
+    std::erase(found, 0);
+    return found;
+  }
+
   double quantileAt(double df) {
     const auto found = quantiles_.find(df);
     if (found != quantiles_.end()) return found->second;
@@ -261,11 +274,11 @@ DetectionRate DetectionRate::of(std::uint64_t found, std::uint64_t studies) {
 }
 
 void PowerSimulation::check() const {
-  const bool isSound =
-      participants >= 2 && studies > 0 && comparisons > 0 && alpha > 0.0 && alpha < 1.0;
+  const auto isLevel = [](double level) { return level > 0.0 && level < 1.0; };
+  const bool isSound = participants >= 2 && studies > 0 && isLevel(alpha) && isLevel(alphaPerTest);
   if (!isSound) {
     throw std::invalid_argument(
-        "a simulation needs two participants, a study, a comparison and an alpha between 0 and 1");
+        "a simulation needs two participants, a study, and an alpha between 0 and 1");
   }
   model.check();
 }
@@ -274,7 +287,7 @@ SimulatedPower simulatePower(const PowerSimulation& simulation) {
   simulation.check();
   LikertCohort cohort(simulation.model, simulation.seed);
   SimulatedStudy study(simulation);
-  std::array<std::uint64_t, 6> found{};
+  std::array<std::uint64_t, 7> found{};
   for (std::uint64_t i = 0; i < simulation.studies; ++i) {
     study.draw(cohort, simulation.participants);
     const auto paired = [&](std::size_t a, std::size_t b) { return study.pairedT(a, b); };
@@ -285,12 +298,14 @@ SimulatedPower simulatePower(const PowerSimulation& simulation) {
     found[3] += study.isSignificantForAnyPair(paired) ? 1 : 0;
     found[4] += welch(0, 1) ? 1 : 0;
     found[5] += study.isSignificantForAnyPair(welch) ? 1 : 0;
+    found[6] += study.signFlip(0, 1) ? 1 : 0;
   }
   const auto rate = [&](std::size_t which) {
     return DetectionRate::of(found[which], simulation.studies);
   };
   return {
       .pairedT = rate(0),
+      .signFlip = rate(6),
       .signedRank = rate(1),
       .friedman = rate(2),
       .anyPairedT = rate(3),

@@ -83,12 +83,12 @@ struct PowerSimulation {
   LikertModel model;
   std::uint64_t participants = 12;
   double alpha = 0.05;
-  std::uint64_t comparisons = 3;  ///< size of the family: pairs are tested at α / comparisons
+  double alphaPerTest = 0.05 / 3.0;  ///< of a pair
   std::uint64_t studies = 2000;
   std::uint64_t seed = 1;
 
   /// @throws std::invalid_argument  as LikertModel::check(); for fewer than two participants, no
-  ///     studies, no comparisons, and an alpha that is not between 0 and 1.
+  ///     studies, and an alpha that is not between 0 and 1.
   void check() const;
 };
 
@@ -96,7 +96,8 @@ struct PowerSimulation {
 /// "First pair": the first condition against the second, where the effect is. "Any pair": at least
 /// one of all pairs of conditions, which is the familywise error if there is no effect.
 struct SimulatedPower {
-  DetectionRate pairedT;     ///< first pair, means of participants, at α / m
+  DetectionRate pairedT;     ///< first pair, means of participants, at the α of a pair
+  DetectionRate signFlip;    ///< first pair, by flipping the signs of the differences
   DetectionRate signedRank;  ///< first pair, by Wilcoxon's signed rank test, exact with ties
   DetectionRate friedman;    ///< overall test of all conditions, means of participants, χ², at α
   DetectionRate anyPairedT;  ///< as pairedT, for any pair
@@ -104,10 +105,11 @@ struct SimulatedPower {
   DetectionRate anyPooledWelch;  ///< as pooledWelch, for any pair
 };
 
-/// Simulates studies. The signed rank test drops differences of zero; its p is exact for up to 50
-/// differences, and otherwise from the normal approximation with correction for ties and
-/// continuity. A test that is not defined (all differences equal) counts as not significant. Runs
-/// in one thread with one stream of random numbers: the same arguments give the same result.
+/// Simulates studies. The signed rank test drops differences of zero. Its p and that of sign flips
+/// are exact where they are soon counted, for up to 50 ranks, and otherwise from the normal
+/// approximation with correction for ties and continuity. A test that is not defined (all
+/// differences equal) counts as not significant. Runs in one thread with one stream of random
+/// numbers: the same arguments give the same result.
 ///
 /// @throws std::invalid_argument  as PowerSimulation::check().
 SimulatedPower simulatePower(const PowerSimulation& simulation);

@@ -32,7 +32,7 @@ class SimulatedSiteStudy {
   SimulatedSiteStudy(const PowerSimulation& simulation, const SitePlan& plan)
       : conditions_(static_cast<std::size_t>(simulation.model.conditions)),
         answers_(simulation.model.answers),
-        level_(simulation.alpha / static_cast<double>(simulation.comparisons)),
+        level_(simulation.alphaPerTest),
         pooledLevel_(1.0 - simulation.alpha),
         deviation_(plan.deviation),
         criticalT_(StudentDistribution(static_cast<double>(simulation.participants - 1))

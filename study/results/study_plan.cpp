@@ -1,12 +1,14 @@
 #include "study/results/study_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
 #include "analysis/planning/power.h"
 #include "protocols/orders/schedule.h"
 #include "study/results/apa_text.h"
+#include "study/results/pooled_results.h"
 
 namespace study {
 namespace {
@@ -83,13 +85,18 @@ std::size_t answersTo(
   return answers;
 }
 
-int pointsOf(const protocols::Family& family, const LoadedProtocol& loaded) {
-  constexpr int kUsualPoints = 5;
-  constexpr int kPointsOfContinuousScale = 101;  // approximates a continuous scale
-  const auto scale = protocols::scaleOf(family, *loaded.instrument(family.instrument));
-  if (!scale) return kUsualPoints;
-  return scale->isPointScale ? static_cast<int>(scale->highest - scale->lowest) + 1
-                             : kPointsOfContinuousScale;
+/// The number of points of a family's scale; std::nullopt if it is continuous.
+std::optional<int> pointsOf(const protocols::Family& family, const LoadedProtocol& loaded) {
+  constexpr double kMostPoints = 1e6;
+  const auto& instrument = *loaded.instrument(family.instrument);
+  const auto scale = protocols::scaleOf(family, instrument);
+  if (!scale || !family.score.empty()) return std::nullopt;
+  const auto items = protocols::comparedItems(family, instrument.items);
+  const auto first = std::ranges::find_if(
+      items, [](const auto& item) { return protocols::scaleOf(item).has_value(); });
+  const double step = scale->isPointScale || first == items.end() ? 1.0 : first->step;
+  const double points = std::floor((scale->highest - scale->lowest) / step) + 1.0;
+  return points < kMostPoints ? std::optional(static_cast<int>(points)) : std::nullopt;
 }
 
 analysis::PowerSimulation simulationOf(
@@ -101,7 +108,7 @@ analysis::PowerSimulation simulationOf(
       .model = planOptions.model,
       .participants = participants,
       .alpha = family.alpha,
-      .comparisons = family.isCorrected ? family.comparisons : 1,
+      .alphaPerTest = family.levels.strictest,
       .studies = planOptions.studies,
       .seed = planOptions.seed};
   simulation.model.points = family.points;
@@ -119,7 +126,7 @@ SiteDetectability detectabilityAtSites(
   SiteDetectability detectability{
       .designEffect = sites.designEffect(participants),
       .power =
-          analysis::pooledSitesPower(planOptions.dz, participants, sites, family.alphaPerTest)};
+          analysis::pooledSitesPower(planOptions.dz, participants, sites, family.levels.strictest)};
   if (planOptions.studies == 0 || family.answers == 0) return detectability;
   const auto simulatePowerFor = [&](double dz) {
     return analysis::simulateSitePower(simulationOf(family, planOptions, participants, dz), sites);
@@ -133,13 +140,14 @@ Detectability detectabilityOf(
     const FamilyPlan& family, const StudyPlanOptions& planOptions, std::uint64_t participants) {
   Detectability detectability{
       .participants = participants, .pair = analysis::smallestSignFlipP(participants)};
-  detectability.canPairsBeSignificant = detectability.pair.p <= family.alphaPerTest;
+  detectability.canPairsBeSignificant = detectability.pair.p <= family.levels.mostLenient;
   if (family.conditions > 2) {
     detectability.friedman =
         analysis::smallestFriedmanP(participants, static_cast<int>(family.conditions));
   }
   if (participants < 2) return detectability;
-  detectability.power = analysis::pairedTPower(planOptions.dz, participants, family.alphaPerTest);
+  detectability.power =
+      analysis::pairedTPower(planOptions.dz, participants, family.levels.strictest);
   if (planOptions.studies > 0 && family.answers > 0) {
     const auto simulatePowerFor = [&](double dz) {
       return analysis::simulatePower(simulationOf(family, planOptions, participants, dz));
@@ -158,20 +166,22 @@ FamilyPlan declaredPlanOf(
     const protocols::Family& family,
     const LoadedProtocol& loaded,
     const StudyPlanOptions& planOptions) {
+  constexpr int kPointsOfContinuousScale = 101;  // approximate it
   const auto conditions = comparedConditions(family);
+  const auto points = pointsOf(family, loaded);
   FamilyPlan plan{
       .id = family.id,
       .title = family.title,
       .comparisons = family.comparisons.size(),
       .conditions = conditions.size(),
       .isScore = !family.score.empty(),
-      .points = pointsOf(family, loaded),
+      .points = points.value_or(kPointsOfContinuousScale),
+      .isContinuous = !points,
       .alpha = planOptions.alpha.value_or(family.alpha),
       .isCorrected = family.correction != protocols::CorrectionType::None,
       .correction = std::string(nameOf(family.correction)),
       .test = family.test};
-  const auto tests = plan.isCorrected ? plan.comparisons : 1;
-  plan.alphaPerTest = plan.alpha / static_cast<double>(tests);
+  plan.levels = analysis::levelsOf(plan.alpha, plan.comparisons, adjustmentOf(family.correction));
   plan.answers = answersTo(*conditions.begin(), family, loaded);
   for (const auto& condition : conditions) {
     plan.answers = std::min(plan.answers, answersTo(condition, family, loaded));
@@ -179,24 +189,46 @@ FamilyPlan declaredPlanOf(
   return plan;
 }
 
+std::optional<std::uint64_t> roundedUp(std::optional<std::uint64_t> size, std::uint64_t multiple) {
+  if (size) *size = (*size + multiple - 1) / multiple * multiple;
+  return size;
+}
+
+/// How many participants the requested power needs.
+void addSizes(FamilyPlan& plan, const StudyPlan& study) {
+  const double dz = study.planOptions.dz;
+  const double power = study.planOptions.power;
+  const double level = plan.levels.strictest;
+  const auto multiple = static_cast<std::uint64_t>(study.balancedBy);
+  plan.fewestForSignificance = analysis::fewestParticipantsForSignFlip(plan.levels.mostLenient);
+  if (power <= level) return;
+  plan.sampleSizeForPower = analysis::participantsForPower(dz, level, power);
+  if (plan.sampleSizeForPower) {
+    plan.recommended =
+        roundedUp(std::max(*plan.sampleSizeForPower, plan.fewestForSignificance), multiple);
+  }
+  const auto& sites = study.planOptions.sites;
+  if (!sites) return;
+  plan.sampleSizeForPowerAtSites = analysis::participantsForPower(dz, *sites, level, power);
+  plan.recommendedAtSites = roundedUp(plan.sampleSizeForPowerAtSites, sites->sites * multiple);
+}
+
+void simulateRecommended(FamilyPlan& plan, const StudyPlanOptions& planOptions) {
+  constexpr std::uint64_t kMostParticipants = 500;
+  const bool isPairedT = plan.test == protocols::TestType::PairedT;
+  const auto participants = plan.recommended.value_or(0);
+  if (isPairedT || planOptions.studies == 0 || plan.answers == 0) return;
+  if (participants < 2 || participants > kMostParticipants) return;
+  plan.foundIfRecommended = rateOf(
+      plan.test,
+      analysis::simulatePower(simulationOf(plan, planOptions, participants, planOptions.dz)));
+}
+
 FamilyPlan familyPlan(
     const protocols::Family& family, const LoadedProtocol& loaded, const StudyPlan& study) {
   FamilyPlan plan = declaredPlanOf(family, loaded, study.planOptions);
-  plan.fewestForSignificance = analysis::fewestParticipantsForSignFlip(plan.alphaPerTest, 1);
-  if (study.planOptions.power > plan.alphaPerTest) {
-    const double dz = study.planOptions.dz;
-    const double power = study.planOptions.power;
-    plan.sampleSizeForPower = analysis::participantsForPower(dz, plan.alphaPerTest, power);
-    if (const auto& sites = study.planOptions.sites) {
-      plan.sampleSizeForPowerAtSites =
-          analysis::participantsForPower(dz, *sites, plan.alphaPerTest, power);
-    }
-  }
-  if (plan.sampleSizeForPower) {
-    const auto needed = std::max(*plan.sampleSizeForPower, plan.fewestForSignificance);
-    const auto multiple = static_cast<std::uint64_t>(study.balancedBy);
-    plan.recommended = (needed + multiple - 1) / multiple * multiple;
-  }
+  addSizes(plan, study);
+  simulateRecommended(plan, study.planOptions);
   for (const auto& cohort : study.cohorts) {
     const auto same =
         std::ranges::find(plan.detectabilities, cohort.participants, &Detectability::participants);
@@ -244,6 +276,21 @@ void addVotes(StudyPlan& study, const protocols::Protocol& protocol) {
 }
 
 }  // namespace
+
+const analysis::DetectionRate& rateOf(
+    protocols::TestType test, const analysis::SimulatedPower& found) noexcept {
+  switch (test) {
+    case protocols::TestType::Welch:
+      return found.pooledWelch;
+    case protocols::TestType::SignFlip:
+      return found.signFlip;
+    case protocols::TestType::SignedRank:
+      return found.signedRank;
+    case protocols::TestType::PairedT:
+      break;
+  }
+  return found.pairedT;
+}
 
 StudyPlan planOf(const LoadedProtocol& loaded, const StudyPlanOptions& planOptions) {
   const auto& protocol = loaded.protocol;

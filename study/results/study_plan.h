@@ -51,7 +51,7 @@ struct SiteDetectability {
 struct Detectability {
   std::uint64_t participants = 0;
   analysis::AttainableP pair;          ///< smallest p that an exact paired test can attain
-  bool canPairsBeSignificant = false;  ///< whether this p is at most alphaPerTest
+  bool canPairsBeSignificant = false;  ///< whether this p is at most levels.mostLenient
   /// Smallest attainable p of an exact Friedman test; for three or more conditions.
   std::optional<analysis::AttainableP> friedman;
   std::optional<double> power;  ///< of a paired t-test for the requested effect; n ≥ 2
@@ -70,12 +70,12 @@ struct FamilyPlan {
   std::size_t conditions = 0;
   std::size_t answers = 0;  ///< per participant and condition; the smallest number over conditions
   bool isScore = false;     ///< whether each answer is a score of a form
-  int points = 5;           ///< number of points of the scale
+  int points = 5;           ///< number of points of the scale, or of what stands for it
+  bool isContinuous = false;  ///< whether the scale has no points; also that of a score
   double alpha = 0.05;
-  double alphaPerTest = 0.05;
-  bool isCorrected = true;  ///< whether alphaPerTest is corrected for the number of comparisons
-                            ///< (for the smallest p)
-  std::string correction;   ///< "Holm"
+  analysis::FamilyLevels levels;  ///< powers are at the strictest one
+  bool isCorrected = true;        ///< whether p is corrected for the number of comparisons
+  std::string correction;         ///< "Holm"
   protocols::TestType test = protocols::TestType::Welch;  ///< powers are of a paired t-test
   /// Fewest participants for which an exact paired test can be significant.
   std::uint64_t fewestForSignificance = 0;
@@ -83,9 +83,14 @@ struct FamilyPlan {
                                                     ///< effect and power
   std::optional<std::uint64_t> recommended;  ///< fewest participants that suffice for power and
                                              ///< significance and balance the orders
+  /// Simulated with the recommended participants: how often the declared test finds the requested
+  /// effect. Not of a paired t-test, nor of more than 500 participants.
+  std::optional<analysis::DetectionRate> foundIfRecommended = {};
   /// Participants over all sites needed for the requested effect and power; std::nullopt without
   /// sites, or if no number suffices.
   std::optional<std::uint64_t> sampleSizeForPowerAtSites = {};
+  /// The fewest of them that are equally many at each site and balance the orders there.
+  std::optional<std::uint64_t> recommendedAtSites = {};
   std::vector<Detectability> detectabilities = {};  ///< for every cohort, in the protocol's order
 };
 
@@ -133,6 +138,10 @@ struct StudyPlan {
 };
 
 StudyPlan planOf(const protocols::LoadedProtocol& loaded, const StudyPlanOptions& planOptions);
+
+/// How often the test that a protocol declares found the effect.
+const analysis::DetectionRate& rateOf(
+    protocols::TestType test, const analysis::SimulatedPower& found) noexcept;
 
 /// The effects (d_z) and the numbers of participants for which a table of power is shown.
 std::vector<double> effectsToShow(const StudyPlan& plan);

@@ -14,11 +14,11 @@ namespace {
 
 using words::counted;
 
-/// A p value: ".0167", "7.6e-06".
+/// A p value: ".03125", "7.6e-06"; with as many digits as the flag of too few participants has.
 std::string pText(double p) {
   if (p >= 0.99995) return "1";
   if (p < 0.0001) return fmt::format("{:.1e}", p);
-  return rounded(p, 4).substr(1);
+  return fmt::format("{:.4g}", p).substr(1);
 }
 
 std::string pText(const analysis::AttainableP& p) {
@@ -73,19 +73,39 @@ std::string ordersText(const StudyPlan& plan) {
   return text;
 }
 
+/// Whether an exact paired test can be significant only if others of its family have small p, too.
+bool needsOthers(const FamilyPlan& family, const Detectability& detectability) {
+  return detectability.canPairsBeSignificant && detectability.pair.p > family.levels.strictest;
+}
+
+/// At which level tests are simulated, for corrections that can ask less.
+std::string atStrictestStep(const FamilyPlan& family) {
+  return family.levels.mostLenient > family.levels.strictest
+             ? ", at the strictest step of the correction"
+             : "";
+}
+
 std::string pairVerdict(const FamilyPlan& family, const Detectability& detectability) {
   const auto smallestP = pText(detectability.pair);
+  if (needsOthers(family, detectability)) {
+    return fmt::format(
+        "smallest exact p of a pair {}: above {} and below {}, so that an exact paired test can "
+        "find something only if others of the family do, too",
+        smallestP,
+        pText(family.levels.strictest),
+        pText(family.levels.mostLenient));
+  }
   if (detectability.canPairsBeSignificant) {
     return fmt::format(
         "smallest exact p of a pair {}: below {}, so that exact paired tests can find something",
         smallestP,
-        pText(family.alphaPerTest));
+        pText(family.levels.strictest));
   }
   return fmt::format(
       "smallest exact p of a pair {}: above {}, so that NO exact paired test can ever be "
       "significant, whatever people answer. At least {} are needed",
       smallestP,
-      pText(family.alphaPerTest),
+      pText(family.levels.mostLenient),
       family.fewestForSignificance);
 }
 
@@ -99,14 +119,19 @@ std::string friedmanVerdict(const FamilyPlan& family, const Detectability& detec
       pText(family.alpha));
 }
 
-std::string simulationText(const Detectability& detectability) {
+std::string simulationText(const FamilyPlan& family, const Detectability& detectability) {
   if (!detectability.found || !detectability.falsePositives) return {};
   const auto& found = *detectability.found;
   const auto& falsePositives = *detectability.falsePositives;
+  const auto pooled =
+      fmt::format("by Welch's t-test on pooled answers {}, ", share(found.pooledWelch.rate));
   std::string text = fmt::format(
-      "    simulated: found by the paired t-test {}, by the exact signed rank test {}, by "
-      "Friedman's test {}.\n",
+      "    simulated{}: found {}by the paired t-test {}, by the exact sign-flip test {}, by the "
+      "exact signed rank test {}, by Friedman's test {}.\n",
+      atStrictestStep(family),
+      family.test == protocols::TestType::Welch ? pooled : std::string(),
       share(found.pairedT.rate),
+      share(found.signFlip.rate),
       share(found.signedRank.rate),
       share(found.friedman.rate));
   text += fmt::format(
@@ -173,7 +198,7 @@ std::string prospectsText(const StudyPlan& plan, const FamilyPlan& family) {
           family.isCorrected ? " at the strictest step of the correction" : "",
           share(*detectability.power));
     }
-    text += simulationText(detectability);
+    text += simulationText(family, detectability);
     if (plan.planOptions.sites) text += siteVerdict(plan, detectability);
   }
   return text;
@@ -185,9 +210,11 @@ std::string sitesText(const StudyPlan& plan, const FamilyPlan& family) {
   const auto sites = counted(plan.planOptions.sites->sites, "site");
   if (family.sampleSizeForPowerAtSites) {
     return fmt::format(
-        "  at {}: {} participants a cohort, over all sites.\n",
+        "  at {}: {} participants a cohort, over all sites; {} are equally many at each{}.\n",
         sites,
-        *family.sampleSizeForPowerAtSites);
+        *family.sampleSizeForPowerAtSites,
+        *family.recommendedAtSites,
+        plan.balancedBy > 1 ? " and balance the orders" : "");
   }
   return fmt::format(
       "  at {}: no number of participants is enough. More of them at few sites tell nothing of "
@@ -202,46 +229,72 @@ std::string powerTable(const StudyPlan& plan, const FamilyPlan& family) {
   for (const auto n : sizesToShow(family)) {
     text += fmt::format("\n{:>14}", n);
     for (const double dz : effects) {
-      text += fmt::format("{:>8}", share(analysis::pairedTPower(dz, n, family.alphaPerTest)));
+      text += fmt::format("{:>8}", share(analysis::pairedTPower(dz, n, family.levels.strictest)));
     }
   }
   std::set<double> powers{0.8, 0.9, plan.planOptions.power};
   for (const double power : powers) {
-    if (power <= family.alphaPerTest) continue;
+    if (power <= family.levels.strictest) continue;
     text += fmt::format("\n{:>14}", fmt::format("N for {:g}", power));
     for (const double dz : effects) {
-      const auto n = analysis::participantsForPower(dz, family.alphaPerTest, power);
+      const auto n = analysis::participantsForPower(dz, family.levels.strictest, power);
       text += fmt::format("{:>8}", n ? std::to_string(*n) : "> 1e6");
     }
   }
   return text + "\n";
 }
 
+/// "alpha = .01667 each"; "alpha = .01667 to .05 each, depending on the others" for corrections
+/// that ask less where several p values are small.
+std::string levelText(const FamilyPlan& family) {
+  const auto strictest = pText(family.levels.strictest);
+  if (family.levels.mostLenient <= family.levels.strictest) {
+    return fmt::format("alpha = {} each", strictest);
+  }
+  return fmt::format(
+      "alpha = {} to {} each, depending on the others",
+      strictest,
+      pText(family.levels.mostLenient));
+}
+
+/// What the declared test finds, if another one than the paired t-test of all powers is declared.
+std::string foundIfRecommended(const FamilyPlan& family) {
+  if (!family.foundIfRecommended) return {};
+  return fmt::format(
+      " The declared test finds it with {} in {} of simulated studies{}.",
+      *family.recommended,
+      share(family.foundIfRecommended->rate),
+      atStrictestStep(family));
+}
+
 std::string familyText(const StudyPlan& plan, const FamilyPlan& family) {
   std::string text = fmt::format(
-      "\n{} ({}): {} of {}, {}, so alpha = {} for each\n",
+      "\n{} ({}): {} of {}, {}, so {}\n  Declared test: {}.\n",
       family.title,
       family.id,
       counted(family.comparisons, "comparison"),
       counted(family.conditions, "condition"),
       family.isCorrected ? fmt::format("{} within {:g}", family.correction, family.alpha)
                          : fmt::format("not corrected, {:g}", family.alpha),
-      pText(family.alphaPerTest));
+      levelText(family),
+      testInWords(family.test));
   text += fmt::format(
       "  Each participant {} about each condition, on {}.\n",
       family.isScore ? "gives " + counted(family.answers, "score")
                      : "answers " + counted(family.answers, "statement"),
-      counted(static_cast<std::uint64_t>(family.points), "point"));
+      family.isContinuous ? "a scale without steps"
+                          : counted(static_cast<std::uint64_t>(family.points), "point"));
   text += prospectsText(plan, family);
   text += powerTable(plan, family);
   text += fmt::format(
-      "  for d_z = {:g} with power {:g}: {} participants a cohort{}.\n",
+      "  for d_z = {:g} with power {:g} by a paired t-test: {} participants a cohort{}.{}\n",
       plan.planOptions.dz,
       plan.planOptions.power,
       sizeText(family.sampleSizeForPower),
       family.recommended && plan.balancedBy > 1
           ? fmt::format("; {} balance the orders as well", *family.recommended)
-          : "");
+          : "",
+      foundIfRecommended(family));
   return text + sitesText(plan, family);
 }
 
@@ -363,9 +416,8 @@ std::string detectableInWords(const StudyPlan& plan, const FamilyPlan& family) {
       family.title,
       counted(family.comparisons, "comparison"),
       counted(family.conditions, "condition"),
-      family.isCorrected
-          ? fmt::format("{}, alpha = {} each", family.correction, pText(family.alphaPerTest))
-          : fmt::format("alpha = {} each, not corrected", pText(family.alphaPerTest)),
+      family.isCorrected ? family.correction + ", " + levelText(family)
+                         : levelText(family) + ", not corrected",
       sizeText(family.sampleSizeForPower),
       plan.planOptions.dz,
       plan.planOptions.power);
@@ -373,10 +425,13 @@ std::string detectableInWords(const StudyPlan& plan, const FamilyPlan& family) {
   for (const auto& detectability : family.detectabilities) {
     if (!detectability.power || !seen.insert(detectability.participants).second) continue;
     words += fmt::format(
-        "; with {} its power is {}, and an exact signed rank test {} reach significance",
+        "; with {} its power is {}, and an exact paired test {}",
         detectability.participants,
         share(*detectability.power),
-        detectability.canPairsBeSignificant ? "can" : "cannot");
+        needsOthers(family, detectability)
+            ? "can reach significance only together with others of the family"
+        : detectability.canPairsBeSignificant ? "can reach significance"
+                                              : "cannot reach significance");
     if (detectability.sites) {
       words += fmt::format(
           "; pooled over {}, between which the effect has a standard deviation of {:g} d_z, the "
@@ -386,7 +441,18 @@ std::string detectableInWords(const StudyPlan& plan, const FamilyPlan& family) {
           share(detectability.sites->power));
     }
   }
-  return words + ".";
+  words += ".";
+  if (family.test == protocols::TestType::PairedT) return words;
+  words += fmt::format(" The declared test is the {}.", testInWords(family.test));
+  for (const auto& detectability : family.detectabilities) {
+    if (!detectability.found || seen.erase(detectability.participants) == 0) continue;
+    words += fmt::format(
+        " With {} it finds this difference in {} of simulated studies{}.",
+        counted(detectability.participants, "participant"),
+        share(rateOf(family.test, *detectability.found).rate),
+        atStrictestStep(family));
+  }
+  return words + foundIfRecommended(family);
 }
 
 /// "all 3 conditions"; for several blocks "3 conditions in “a” and 2 conditions in “b”". Empty if

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "study/results/results.h"
+
 namespace study::app {
 namespace {
 
@@ -27,6 +29,7 @@ Json asJson(const std::optional<analysis::SimulatedPower>& found) {
     json[name] = asJson(rate);
   };
   add("paired_t", found->pairedT);
+  add("sign_flip", found->signFlip);
   add("signed_rank", found->signedRank);
   add("friedman", found->friedman);
   add("any_paired_t", found->anyPairedT);
@@ -76,13 +79,20 @@ Json asJson(const FamilyPlan& family, const StudyPlan& plan) {
       {"answers", family.answers},
       {"points", family.points},
       {"alpha", family.alpha},
-      {"alpha_per_test", family.alphaPerTest},
+      {"alpha_per_test", family.levels.strictest},
+      {"alpha_per_test_at_best", family.levels.mostLenient},
+      {"declared_test", idOf(family.test)},
       {"fewest_for_exact_pair", family.fewestForSignificance},
       {"participants_for_power", orNull(family.sampleSizeForPower)},
       {"participants_for_power_balanced", orNull(family.recommended)}};
+  json["declared_test_found_if_balanced"] =
+      family.foundIfRecommended ? asJson(*family.foundIfRecommended) : Json(nullptr);
   json["prospects"] = Json::array();
   const bool hasSites = plan.planOptions.sites.has_value();
-  if (hasSites) json["participants_for_power_at_sites"] = orNull(family.sampleSizeForPowerAtSites);
+  if (hasSites) {
+    json["participants_for_power_at_sites"] = orNull(family.sampleSizeForPowerAtSites);
+    json["participants_for_power_at_sites_balanced"] = orNull(family.recommendedAtSites);
+  }
   for (std::size_t i = 0; i < plan.cohorts.size(); ++i) {
     auto& detectability =
         json["prospects"].emplace_back(asJson(family.detectabilities[i], plan.cohorts[i]));

@@ -36,7 +36,6 @@ class PlanWriter {
       if (caveats.insert(sentence).second) answer.caveats.push_back(std::move(sentence));
     };
     std::vector<std::string> lines;
-    std::vector<std::string> more;
     if (plan_.families.empty()) {
       lines.push_back(
           words_("The protocol declares no comparisons, so there is no power to compute."));
@@ -44,27 +43,25 @@ class PlanWriter {
     for (const auto& family : plan_.families) {
       const auto title =
           plan_.families.size() > 1 ? words_.say("“{}”", family.title) + ": " : std::string();
-      lines.push_back(title + needed(family));
-      const auto detail = ofDeclaredTest(family);
-      if (!detail.empty()) more.push_back(title + detail);
+      const auto declared = ofDeclaredTest(family);
+      lines.push_back(title + declared + (declared.empty() ? "" : " ") + needed(family));
       if (isAnyCohortTooSmall(family)) {
         caveat(words_.say(
             "With fewer than {} participants, no exact paired test can be significant at α = {}.",
             family.fewestForSignificance,
-            rounded(family.alphaPerTest, 4)));
+            rounded(family.levels.mostLenient, 4)));
       }
       const auto wrong = falsePositives(family);
       if (!wrong.empty()) caveat(wrong);
       caveat(words_.say(
           "Power is that of a paired t-test of people’s means at α = {}.",
-          rounded(family.alphaPerTest, 4)));
+          rounded(family.levels.strictest, 4)));
     }
     const auto balance = ordersInWords();
     if (!balance.empty()) lines.push_back(balance);
     lines.push_back(
         words_.say("A session lasts about {} minutes.", minutesOf(plan_.length.seconds)));
     answer.finding = base::joined(lines, "\n");
-    answer.more = base::joined(more, "\n");
     return answer;
   }
 
@@ -118,29 +115,29 @@ class PlanWriter {
                         "The protocol does not say how many participants will come: enter "
                         "a number.");
     }
-    if (family.test == protocols::TestType::PairedT) return text;
-    return text + " " +
-           words_.say(
-               "The protocol declares another test: {}.", words_(shortNameOf(idOf(family.test))));
+    return text;
   }
 
-  /// How often simulated studies find the difference by the declared test; empty for a paired
-  /// t-test, and for a test that is not simulated.
+  /// The declared test, and how often it finds the difference in simulated studies; empty for a
+  /// paired t-test.
   std::string ofDeclaredTest(const FamilyPlan& family) const {
+    if (family.test == protocols::TestType::PairedT) return {};
     std::vector<std::string> shares;
     for (const auto& [participants, cohort] : byParticipants(family)) {
       if (!cohort->found) continue;
-      if (family.test == protocols::TestType::Welch) {
-        shares.push_back(simulatedShare(participants, cohort->found->pooledWelch));
-      } else if (family.test == protocols::TestType::SignedRank) {
-        shares.push_back(simulatedShare(participants, cohort->found->signedRank));
-      }
+      shares.push_back(simulatedShare(participants, rateOf(family.test, *cohort->found)));
     }
-    if (shares.empty()) return {};
-    return words_.say(
-        "In simulated studies, the declared test ({}) finds it: {}.",
-        words_(shortNameOf(idOf(family.test))),
+    if (family.foundIfRecommended && !byParticipants(family).contains(*family.recommended)) {
+      shares.push_back(simulatedShare(*family.recommended, *family.foundIfRecommended));
+    }
+    const auto test = words_(shortNameOf(idOf(family.test)));
+    const auto named = words_.say("The protocol declares another test: {}.", test);
+    const auto found = words_.say(
+        "In simulated studies, the declared test ({}) finds a difference of d_z = {:g}: {}.",
+        test,
+        plan_.planOptions.dz,
         base::joined(shares, ", "));
+    return shares.empty() ? named : found;
   }
 
   std::string simulatedShare(
@@ -205,14 +202,14 @@ class PlanWriter {
     for (const auto n : sizesToShow(family)) {
       std::vector<Cell> cells{std::to_string(n)};
       for (const double dz : effects) {
-        cells.emplace_back(percent(analysis::pairedTPower(dz, n, family.alphaPerTest)));
+        cells.emplace_back(percent(analysis::pairedTPower(dz, n, family.levels.strictest)));
       }
       table.rows.push_back(std::move(cells));
     }
     std::vector<Cell> needed{words_.say("needed for {}", percent(plan_.planOptions.power))};
     for (const double dz : effects) {
-      needed.emplace_back(
-          asCell(analysis::participantsForPower(dz, family.alphaPerTest, plan_.planOptions.power)));
+      needed.emplace_back(asCell(
+          analysis::participantsForPower(dz, family.levels.strictest, plan_.planOptions.power)));
     }
     table.rows.push_back(std::move(needed));
   }

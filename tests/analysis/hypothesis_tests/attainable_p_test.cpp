@@ -1,7 +1,9 @@
 #include "analysis/hypothesis_tests/attainable_p.h"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -38,13 +40,26 @@ TEST(AttainableP, OfMannAndWhitneyIsThatOfGroupsThatDoNotOverlap) {
 }
 
 TEST(AttainableP, HasTheNumberOfParticipantsThatAFamilyNeeds) {
-  EXPECT_EQ(fewestParticipantsForSignFlip(0.05, 1), 6U);
-  EXPECT_EQ(fewestParticipantsForSignFlip(0.05, 3), 7U);
-  EXPECT_EQ(fewestParticipantsForSignFlip(0.05, 6), 8U);
-  EXPECT_EQ(fewestParticipantsForSignFlip(0.05, 10), 9U);
-  EXPECT_EQ(fewestParticipantsForSignFlip(0.5, 1), 2U);
-  EXPECT_THROW(fewestParticipantsForSignFlip(0.0, 1), std::invalid_argument);
-  EXPECT_THROW(fewestParticipantsForSignFlip(0.05, 0), std::invalid_argument);
+  EXPECT_EQ(fewestParticipantsForSignFlip(0.05), 6U);
+  EXPECT_EQ(fewestParticipantsForSignFlip(0.05 / 3.0), 7U);
+  EXPECT_EQ(fewestParticipantsForSignFlip(0.05 / 6.0), 8U);
+  EXPECT_EQ(fewestParticipantsForSignFlip(0.05 / 10.0), 9U);
+  EXPECT_EQ(fewestParticipantsForSignFlip(0.5), 2U);
+  EXPECT_THROW(fewestParticipantsForSignFlip(0.0), std::invalid_argument);
+}
+
+TEST(FamilyLevels, AreWhereTheCorrectionTurns) {
+  const auto corrected = [](std::vector<std::optional<double>> p, auto method) {
+    return *analysis::adjust(p, method).front();
+  };
+  for (const auto method : analysis::kAdjustments) {
+    const auto [strictest, mostLenient] = analysis::levelsOf(0.05, 3, method);
+    EXPECT_NEAR(corrected({strictest, 1.0, 1.0}, method), 0.05, 1e-12) << nameOf(method);
+    EXPECT_NEAR(corrected({mostLenient, mostLenient, mostLenient}, method), 0.05, 1e-12)
+        << nameOf(method);
+  }
+  EXPECT_EQ(analysis::levelsOf(0.05, 3, std::nullopt).strictest, 0.05);
+  EXPECT_THROW(analysis::levelsOf(1.0, 3, std::nullopt), std::invalid_argument);
 }
 
 TEST(AttainableP, OfVotesIsThatOfAUnanimousVote) {
@@ -61,6 +76,7 @@ TEST(AttainableP, HasTheNumberOfVotesForSignificance) {
   // Three options, five votes: 5/0/0 has p = 3/243, 4/1/0 has (3 + 30)/243 = .136.
   EXPECT_EQ(fewestVotesForSignificance(5, 3, 0.05), 5U);
   EXPECT_FALSE(fewestVotesForSignificance(0, 3, 0.05));
+  EXPECT_EQ(fewestVotesForSignificance(200, 2, 0.05), 115U);  // R: binom.test(115, 200)
 }
 
 }  // namespace attainable_p_test

@@ -51,9 +51,25 @@ TEST(SimulatedPower, IsZeroIfTheExactTestCannotBeSignificant) {
   simulation.model.dz = 10.0;
   const auto six = simulatePower(simulation);
   EXPECT_EQ(six.signedRank.rate, 0.0);  // 2/64 > .05/3
+  EXPECT_EQ(six.signFlip.rate, 0.0);
   EXPECT_GT(six.friedman.rate, 0.9);
   simulation.participants = 7;
   EXPECT_GT(simulatePower(simulation).signedRank.rate, 0.9);
+  EXPECT_GT(simulatePower(simulation).signFlip.rate, 0.9);
+}
+
+TEST(SimulatedPower, OfSignFlipsIsNearThatOfThePairedT) {
+  for (const std::uint64_t participants : {14, 80}) {
+    PowerSimulation simulation{.participants = participants, .studies = 2000, .seed = 3};
+    simulation.model.dz = participants == 14 ? 1.0 : 0.35;
+    for (const int points : {5, 101}) {
+      simulation.model.points = points;  // of 80 people on 101 points the approximation is used
+      const auto found = simulatePower(simulation);
+      EXPECT_NEAR(found.signFlip.rate, found.pairedT.rate, 0.03) << participants << " " << points;
+    }
+    simulation.model.dz = 0.0;
+    EXPECT_LE(simulatePower(simulation).signFlip.rate, 0.05 / 3.0 + 0.01);
+  }
 }
 
 TEST(SimulatedPower, IsTheSameForTheSameSeed) {

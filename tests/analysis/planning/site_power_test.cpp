@@ -46,7 +46,7 @@ TEST(SitePower, OfThePooledDifferenceIsThatOfANoncentralT) {
 TEST(SitePower, MakesAnAnalysisThatIgnoresSitesFindTooMuchByTheDesignEffect) {
   const SitePlan plan{.sites = 10, .deviation = 0.5};
   PowerSimulation simulation{
-      .participants = 200, .alpha = 0.05, .comparisons = 1, .studies = 400, .seed = 3};
+      .participants = 200, .alpha = 0.05, .alphaPerTest = 0.05, .studies = 400, .seed = 3};
   simulation.model.points = 101;
   simulation.model.conditions = 2;
   simulation.model.dz = 0.0;
@@ -75,7 +75,11 @@ TEST(SitePower, AgreesWithMetafor) {
         Case{{.sites = 6, .deviation = 0.5}, 24, 1.2, 0.05 / 3.0, 0.6753, 0.9732},
         Case{{.sites = 3, .deviation = 0.5}, 30, 0.0, 0.05, 0.0135, 0.2335}}) {
     PowerSimulation simulation{
-        .participants = participants, .alpha = alpha, .comparisons = 1, .studies = 600, .seed = 5};
+        .participants = participants,
+        .alpha = alpha,
+        .alphaPerTest = alpha,
+        .studies = 600,
+        .seed = 5};
     simulation.model.conditions = 2;
     simulation.model.dz = dz;
     const auto found = simulateSitePower(simulation, plan);
@@ -87,7 +91,7 @@ TEST(SitePower, AgreesWithMetafor) {
 /// The same answers, drawn once more, through the analysis of studies.
 TEST(SitePower, ComparesAndPoolsAsTheStatisticsOfAStudyDo) {
   const SitePlan plan{.sites = 3, .deviation = 0.4};
-  PowerSimulation simulation{.participants = 11, .comparisons = 1, .studies = 1, .seed = 9};
+  PowerSimulation simulation{.participants = 11, .alphaPerTest = 0.05, .studies = 1, .seed = 9};
   simulation.model.conditions = 2;
   analysis::LikertCohort cohort(simulation.model, simulation.seed);
   analysis::AnswerTable table{
