@@ -128,12 +128,7 @@ class FlagFinder {
   }
 
   void flagStatements() {
-    std::map<std::size_t, std::set<std::size_t>> asked;
-    for (const auto& answer : table_.answers) asked[answer.method].insert(answer.statement);
-    const auto& first = asked.begin()->second;
-    const bool areSameForAll =
-        std::ranges::all_of(asked, [&](const auto& of) { return of.second == first; });
-    if (!areSameForAll) {
+    if (!facts_.hasSameStatements) {
       add("items_not_common_to_methods",
           {text("items_not_common_to_methods")},
           {text("source.published_analysis", 3)});
@@ -149,32 +144,31 @@ class FlagFinder {
     }
   }
 
+  /// Counts what was felt: an answer that is missing does not make an order unbalanced.
   void flagOrder() {
-    std::map<std::size_t, std::map<std::pair<std::size_t, int>, std::set<std::size_t>>> seen;
-    for (const auto& answer : table_.answers) {
-      seen[answer.round][{answer.method, answer.position}].insert(answer.participant);
-    }
-    // Sums over all rounds: a round and its mirror image balance positions.
-    std::map<std::pair<std::size_t, int>, std::size_t> positionCounts;
+    std::map<std::pair<std::size_t, int>, std::set<std::pair<std::size_t, std::size_t>>> people;
+    std::set<std::size_t> rounds;
     int positions = 0;
-    for (const auto& [round, cells] : seen) {
-      for (const auto& [cell, people] : cells) {
-        positionCounts[cell] += people.size();
-        positions = std::max(positions, cell.second);
-      }
+    for (const auto& [participant, method, round, position] : facts_.felt) {
+      // Over all rounds: a round and its mirror image balance positions.
+      people[{method, position}].insert({round, participant});
+      rounds.insert(round);
+      positions = std::max(positions, position);
     }
+    if (rounds.empty() || table_.methods.size() < 2) return;
     std::size_t least = SIZE_MAX;
     std::size_t most = 0;
     for (std::size_t method = 0; method < table_.methods.size(); ++method) {
       for (int position = 1; position <= positions; ++position) {
-        const auto cell = positionCounts.find({method, position});
-        const std::size_t times = cell == positionCounts.end() ? 0 : cell->second;
+        const std::size_t times = people[{method, position}].size();
         least = std::min(least, times);
         most = std::max(most, times);
       }
     }
-    // Each round is balanced separately, and its counts may differ by one.
-    if (table_.methods.size() < 2 || most - least <= seen.size()) return;
+    // Each round is balanced separately, and its counts may differ by one. Of many people a little
+    // more does not matter.
+    constexpr std::size_t kMattersFrom = 20;  // a twentieth
+    if (most - least <= std::max(rounds.size(), most / kMattersFrom)) return;
     add("order_not_counterbalanced",
         {text("order_not_counterbalanced", least, most)},
         {Message::verbatim("Williams 1949")});

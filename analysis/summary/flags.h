@@ -70,10 +70,10 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
      "Means of fewer answers scatter more, and who leaves out what is rarely chance."},
     {"n_below_minimum_for_alpha",
      "With {} people who judged both methods of a pair no exact paired test can give a p below "
-     "{:.3g}; the family of {} asks for {:.3g}."},
+     "{:.4g}; the family of {} asks for {:.4g}."},
     {"n_below_minimum_for_alpha.one",
      "With {} person who judged both methods of a pair no exact paired test can give a p below "
-     "{:.3g}; the family of {} asks for {:.3g}."},
+     "{:.4g}; the family of {} asks for {:.4g}."},
     {"n_below_minimum_for_alpha.remedy",
      "More participants (palpate plan says how many), fewer comparisons, or an overall test "
      "(Friedman) first."},
@@ -166,6 +166,14 @@ struct SaturatedMethod {
   std::size_t trials = 0;     ///< number of all trials of the method
 };
 
+/// A method that a participant felt: indices into the answer table, and the position in its round.
+struct Felt {
+  std::size_t participant = 0;
+  std::size_t method = 0;
+  std::size_t round = 0;
+  int position = 0;  ///< from 1
+};
+
 /// Facts about a study that its answer table does not contain.
 struct StudyFacts {
   /// Whether the report also has unpaired tests that treat all answers as independent.
@@ -177,6 +185,8 @@ struct StudyFacts {
   std::optional<double> threshold;  ///< significance level of the smallest p of the family;
                                     ///< std::nullopt: alpha / tests
   std::size_t tests = 1;            ///< number of tests in the family
+  bool hasSameStatements = true;    ///< whether the same statements are asked about every method
+  std::vector<Felt> felt;
   /// Indices of the statements that compare with what was felt before.
   std::vector<std::size_t> comparativeStatements;
   std::vector<double> pValues;  ///< p values of the family's tests, unrounded

@@ -162,6 +162,23 @@ std::vector<std::size_t> completeAnswerCounts(
   return expected;
 }
 
+bool asksSameStatements(const protocols::LoadedProtocol& loaded, const protocols::Family& family) {
+  if (!family.score.empty()) return true;
+  const auto& instrument = *loaded.instrument(family.instrument);
+  std::set<std::set<std::string>> asked;
+  for (const auto& condition : conditionsOf(loaded.protocol, family)) {
+    std::set<std::string> ids;
+    for (const auto& phase : loaded.protocol.phases) {
+      const auto* questionnaire = questionnaireIn(phase, family);
+      if (questionnaire == nullptr || !placeOf(phase.trials.conditions, condition)) continue;
+      const auto items = instrument.itemsOf(questionnaire->itemSetFor(condition));
+      for (const auto& item : protocols::comparedItems(family, items)) ids.insert(item.id);
+    }
+    asked.insert(std::move(ids));
+  }
+  return asked.size() < 2;
+}
+
 std::vector<std::size_t> comparativeStatements(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,

@@ -80,6 +80,10 @@ std::vector<std::size_t> completeAnswerCounts(
     const protocols::Family& family,
     const analysis::AnswerTable& table);
 
+/// Whether the protocol asks the same statements about every method of a family; a score counts as
+/// one.
+bool asksSameStatements(const protocols::LoadedProtocol& loaded, const protocols::Family& family);
+
 /// The indices of answered statements that ask for a comparison with the previous condition; none
 /// if the family compares a score.
 std::vector<std::size_t> comparativeStatements(

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <set>
 
 #include "analysis/data/vote_shares.h"
+#include "analysis/hypothesis_tests/attainable_p.h"
 #include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/registry/registry.h"
 #include "base/search.h"
@@ -252,30 +252,6 @@ class Computation {
     return table;
   }
 
-  /// The threshold of a family: its smallest p is significant if it is at most this value.
-  static double thresholdOf(const protocols::Family& family) {
-    using enum protocols::CorrectionType;
-    const auto m = static_cast<double>(std::max<std::size_t>(family.comparisons.size(), 1));
-    switch (family.correction) {
-      case Bonferroni:
-      case Holm:
-        return family.alpha / m;
-      case HolmSidak:
-        return 1.0 - std::pow(1.0 - family.alpha, 1.0 / m);
-      case BenjaminiYekutieli: {
-        double harmonic = 0.0;
-        for (double i = 1.0; i <= m; i += 1.0) harmonic += 1.0 / i;
-        return family.alpha / harmonic;
-      }
-      case None:
-      case Hochberg:
-      case Hommel:
-      case BenjaminiHochberg:
-        return family.alpha;  // reached if all p values of the family are at most alpha
-    }
-    return family.alpha;
-  }
-
   static std::vector<std::optional<double>> declaredPValues(
       const protocols::Family& family, const CohortResult& part) {
     std::vector<std::optional<double>> pValues;
@@ -290,14 +266,42 @@ class Computation {
     return pValues;
   }
 
+  /// What the cohort's participants felt of what the family compares.
+  std::vector<analysis::Felt> feltIn(const CohortResult& part) const {
+    const auto& table = part.table;
+    const auto placeIn = [](const std::vector<std::string>& names, const std::string& name) {
+      return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    };
+    std::vector<analysis::Felt> felt;
+    for (const auto& trial : trials_) {
+      const auto& session = sessions_.at(trial.step.visit.session);
+      const analysis::Felt one{
+          .participant = placeIn(table.participants, session.participant),
+          .method = placeIn(table.methods, trial.step.condition),
+          .round = placeIn(table.rounds, trial.step.phase),
+          .position = trial.step.position};
+      const bool isOfFamily = session.cohort == part.cohort &&
+                              one.participant < table.participants.size() &&
+                              one.method < table.methods.size() && one.round < table.rounds.size();
+      if (isOfFamily) felt.push_back(one);
+    }
+    return felt;
+  }
+
   std::vector<analysis::Flag> flagsOf(
       const protocols::Family& family, const CohortResult& part) const {
     analysis::StudyFacts facts{
         .isPooled = true,  // flagsByKind() removes flags on pooled tests unless they are shown
         .isDeclared = history_.isDeclared(family.id),
         .alpha = family.alpha,
-        .threshold = thresholdOf(family),
+        .threshold = analysis::levelsOf(
+                         family.alpha,
+                         std::max<std::size_t>(family.comparisons.size(), 1),
+                         adjustmentOf(family.correction))
+                         .mostLenient,
         .tests = family.comparisons.size(),
+        .hasSameStatements = asksSameStatements(loaded_, family),
+        .felt = feltIn(part),
         .comparativeStatements = comparativeStatements(loaded_, family, part.table),
         .expected = completeAnswerCounts(loaded_, family, part.table)};
     using Aspect = protocols::ChangedMeaning::Aspect;

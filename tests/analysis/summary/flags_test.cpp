@@ -65,12 +65,25 @@ TEST(Flags, OmitPoolingIfEachParticipantGaveOneAnswer) {
 }
 
 TEST(Flags, NameStatementsThatDiffer) {
+  auto facts = kSound;
+  facts.hasSameStatements = false;
+  EXPECT_EQ(idsOf(balanced(), facts), Ids{"items_not_common_to_methods"});
+}
+
+TEST(Flags, OmitStatementsThatNobodyAnsweredAboutAMethod) {
   auto table = balanced();
-  table.statements.emplace_back("3");
-  for (auto& answer : table.answers) {
-    if (answer.method == 1 && answer.statement == 1) answer.statement = 2;
+  std::erase_if(
+      table.answers, [](const auto& one) { return one.method == 1 && one.statement == 1; });
+  EXPECT_EQ(idsOf(table, kSound), Ids{});
+}
+
+/// What was felt where everybody answers.
+std::vector<analysis::Felt> feltIn(const AnswerTable& table) {
+  std::vector<analysis::Felt> felt;
+  for (const auto& one : table.answers) {
+    felt.push_back({one.participant, one.method, one.round, one.position});
   }
-  EXPECT_EQ(idsOf(table, kSound), Ids{"items_not_common_to_methods"});
+  return felt;
 }
 
 TEST(Flags, NameStatementsThatCompare) {
@@ -85,7 +98,9 @@ TEST(Flags, NameStatementsThatCompare) {
 TEST(Flags, NameOneOrderForAllParticipants) {
   auto table = balanced();
   for (auto& answer : table.answers) answer.position = static_cast<int>(answer.method) + 1;
-  EXPECT_EQ(idsOf(table, kSound), Ids{"order_not_counterbalanced"});
+  auto facts = kSound;
+  facts.felt = feltIn(table);
+  EXPECT_EQ(idsOf(table, facts), Ids{"order_not_counterbalanced"});
   // … and then the other way round: every method equally often at every place.
   auto mirrored = table;
   mirrored.rounds.emplace_back("second");
@@ -94,7 +109,35 @@ TEST(Flags, NameOneOrderForAllParticipants) {
     answer.position = 3 - answer.position;
     mirrored.answers.push_back(answer);
   }
-  EXPECT_EQ(idsOf(mirrored, kSound), Ids{});
+  facts.felt = feltIn(mirrored);
+  EXPECT_EQ(idsOf(mirrored, facts), Ids{});
+}
+
+TEST(Flags, AllowATwentiethOfManyPeople) {
+  const auto felt = [](std::size_t people, std::size_t firstOrder) {
+    std::vector<analysis::Felt> all;
+    for (std::size_t person = 0; person < people; ++person) {
+      const int position = person < firstOrder ? 1 : 2;
+      all.push_back({person, 0, 0, position});
+      all.push_back({person, 1, 0, 3 - position});
+    }
+    return all;
+  };
+  auto facts = kSound;
+  facts.felt = felt(102, 52);
+  EXPECT_EQ(idsOf(balanced(), facts), Ids{});
+  facts.felt = felt(12, 7);
+  EXPECT_EQ(idsOf(balanced(), facts), Ids{"order_not_counterbalanced"});
+}
+
+TEST(Flags, CountOrdersByWhatWasFeltNotByAnswers) {
+  auto table = balanced();
+  auto facts = kSound;
+  facts.felt = feltIn(table);
+  std::erase_if(
+      table.answers, [](const auto& one) { return one.method == 1 && one.participant % 2 == 0; });
+  facts.threshold = 1.0;
+  EXPECT_EQ(idsOf(table, facts), Ids{});
 }
 
 TEST(Flags, NameBimodalAndConstantGroups) {
@@ -130,6 +173,7 @@ TEST(Flags, AllowADifferenceOfOneForEachRound) {
   for (auto& answer : table.answers) answer.position = static_cast<int>(answer.method) + 1;
   auto facts = kSound;
   facts.threshold = 1.0;
+  facts.felt = feltIn(table);
   EXPECT_EQ(idsOf(table, facts), Ids{});
   table.rounds.emplace_back("second");
   const auto first = table.answers;
@@ -137,6 +181,7 @@ TEST(Flags, AllowADifferenceOfOneForEachRound) {
     answer.round = 1;
     table.answers.push_back(answer);
   }
+  facts.felt = feltIn(table);
   EXPECT_EQ(idsOf(table, facts), Ids{});
 }
 

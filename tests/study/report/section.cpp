@@ -68,6 +68,8 @@ CohortResult cohort(
       result.table,
       {.isDeclared = false,
        .tests = 3,
+       .hasSameStatements = false,
+       .felt = {{0, 0, 0, 1}, {1, 0, 0, 1}, {2, 0, 0, 1}},
        .comparativeStatements = {1},
        .pValues = {0.01668},
        .expected = {7, 7, 7},
