@@ -138,6 +138,9 @@ Rows pairedT(const TestData& data, const TestSettings& settings) {
   if (settings.adjustedLevel) {
     row.adjustedInterval = confidenceInterval(result, *settings.adjustedLevel);
   }
+  const auto summary1 = summarise(first(data));
+  const auto summary2 = summarise(second(data));
+  row.moments = {{{summary1.mean, summary1.variance}, {summary2.mean, summary2.variance}}};
   return {row};
 }
 

@@ -122,6 +122,8 @@ TEST_F(StatisticsTableTest, SubtractsTheSecondGroupFromTheFirstWithinPeople) {
     ASSERT_GE(first.size(), 3U);
     ASSERT_EQ(first.size(), second.size());
     const auto people = static_cast<double>(first.size());
+    expectNumber(row, "mean1", mean(first));
+    expectNumber(row, "mean2", mean(second));
     Values differences;
     for (std::size_t i = 0; i < first.size(); ++i) differences.push_back(first[i] - second[i]);
     ASSERT_NE(mean(differences), 0.0);
