@@ -1,9 +1,11 @@
 #include "study/session/analysis_plan_history.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "base/search.h"
+#include "study/storage/records.h"
 
 namespace study {
 namespace {
@@ -36,7 +38,9 @@ class PlanTracker {
       const AnalysisPlan& before,
       const protocols::Protocol& after,
       const std::string& addedUtc,
+      std::size_t participants,
       bool isUsed) {
+    participants_ = participants;
     for (const auto& family : after.analysis.families) {
       const auto* earlier = base::withId(before.families, family.id);
       auto keys =
@@ -45,7 +49,10 @@ class PlanTracker {
       auto kind = earlier == nullptr ? FamilyChange::Kind::Added : FamilyChange::Kind::Changed;
       if (isAlikeIn(declared_, after.analysis, family.id)) kind = FamilyChange::Kind::Restored;
       add(family, kind, after.study.version, addedUtc);
-      if (kind == FamilyChange::Kind::Changed) changes_.back().keys = std::move(keys);
+      if (kind != FamilyChange::Kind::Changed) continue;
+      changes_.back().keys = std::move(keys);
+      changes_.back().before = *earlier;
+      changes_.back().after = family;
     }
     for (const auto& family : before.families) {
       if (base::withId(after.analysis.families, family.id) != nullptr) continue;
@@ -85,12 +92,14 @@ class PlanTracker {
          .keys = {},
          .version = version,
          .addedUtc = addedUtc,
+         .participants = participants_,
          .isHarmless =
              kind == FamilyChange::Kind::Restored && !usedInOtherForm_.contains(family.id)});
   }
 
   const AnalysisPlan& declared_;
   std::vector<FamilyChange> changes_;
+  std::size_t participants_ = 0;  ///< who had begun before the version
   /// Families that differed from the declared plan in a version with which a live participant
   /// began.
   std::set<std::string> usedInOtherForm_;
@@ -128,13 +137,21 @@ AnalysisPlanHistory analysisPlanHistory(Study& study) {
   const auto first = std::ranges::find_if(ids, isFrozen);
   if (first == ids.end()) return history;
   PlanTracker plan(study.protocol(*first).protocol.analysis);
+  std::map<ProtocolId, std::size_t> begun;  // live participants of each version
+  const storage::Records records(study.database(), storage::Records::Conditions::LeftOut);
+  for (const auto& session : records.sessions()) {
+    if (session.runMode == RunMode::Live) ++begun[session.protocol];
+  }
+  std::size_t participants = 0;
   for (auto id = first + 1; id != ids.end(); ++id) {
     ++history.versionsSinceBegun;
+    participants += begun[*(id - 1)];
     const auto stored = study.protocols().load(*id);
     plan.addVersion(
         study.protocol(*(id - 1)).protocol.analysis,
         study.protocol(*id).protocol,
         stored.addedUtc,
+        participants,
         stored.frozenUtc.has_value());
   }
   plan.finish(study.protocol().protocol.analysis, history);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,8 +20,11 @@ struct FamilyChange {
   std::string title;
   Kind kind = Kind::Changed;
   std::vector<std::string_view> keys;  ///< Changed: the JSON keys whose values changed
-  std::string version;                 ///< of the protocol: its "version"
-  std::string addedUtc;                ///< when that version was added to the study, ISO 8601
+  std::optional<protocols::Family> before = std::nullopt;  ///< Changed: as it was
+  std::optional<protocols::Family> after = std::nullopt;   ///< Changed: as it is since then
+  std::string version;                                     ///< of the protocol: its "version"
+  std::string addedUtc;          ///< when that version was added to the study, ISO 8601
+  std::size_t participants = 0;  ///< live ones who had begun with an older version
   /// Changed, Added: true if the family counts as declared nevertheless (see isDeclared()), because
   /// it was restored in time. Restored: true if no live participant had begun with a version in
   /// which the family differed.

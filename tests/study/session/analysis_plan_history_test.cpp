@@ -57,6 +57,9 @@ TEST(AnalysisPlanHistory, ListsTheChangesOfALaterVersion) {
   EXPECT_EQ(history.changes[0].title, "Realism");
   EXPECT_EQ(history.changes[0].kind, FamilyChange::Kind::Changed);
   EXPECT_EQ(history.changes[0].keys, std::vector<std::string_view>{"alpha"});
+  EXPECT_EQ(history.changes[0].before->alpha, 0.05);
+  EXPECT_EQ(history.changes[0].after->alpha, 0.01);
+  EXPECT_EQ(history.changes[0].participants, 1U);
   EXPECT_FALSE(history.isDeclared("methods"));
   const auto results = computeResults(*study, RunMode::Live);
   EXPECT_FALSE(results.families.front().isConfirmatory("welch"));
