@@ -17,9 +17,9 @@ bool isAnyDefined(const FamilyResult& family, const CohortResult& cohort) {
   return std::ranges::any_of(declaredIn(family, cohort), &Declared::isDefined);
 }
 
-/// Whether the declared test does not find a difference.
-bool isInDoubt(const FamilyResult& family, const Declared& row) {
-  return family.isDeclared && !row.test->isSignificant.value_or(true);
+/// Whether the test that the protocol names does not find a difference.
+bool isInDoubt(const Declared& row) {
+  return !row.test->isSignificant.value_or(true);
 }
 
 /// Writes the answer of a study.
@@ -74,14 +74,24 @@ class AnswerWriter : HtmlWriter {
   }
 
   /// "Interpolation 3.44, KF 3.13, FEM 2.41 on average; ", the highest first, or only of the
-  /// alternative that the sentences are about; empty if nothing is tested.
+  /// alternative that the sentences are about; empty if nothing is tested, or if not all
+  /// differences are of the same people (the table has the means of each pair).
   std::string meansInWords(const FamilyResult& family, const CohortResult& part) const {
     if (!isAnyDefined(family, part)) return {};
+    const auto rows = declaredIn(family, part);
+    auto tested = conditionsOf(section_.protocol, family.family);
+    std::erase_if(tested, [&](const auto& id) {
+      return std::ranges::none_of(
+          rows, [&](const auto& row) { return row.isDefined() && row.has(id); });
+    });
+    const auto [fewest, most] = peopleComparedIn(family, part);
+    const auto people = whoJudged(family, part, tested);
+    if (people && (fewest != most || people->participants.size() != most)) return {};
     std::vector<std::pair<double, std::string>> all;
     const auto mainAlternative = mainAlternativeOf(family);
-    for (const auto& id : conditionsOf(section_.protocol, family.family)) {
+    for (const auto& id : tested) {
       if (!mainAlternative.empty() && id != mainAlternative) continue;
-      if (const auto mean = meanOf(family, part, id, {id})) all.emplace_back(-*mean, id);
+      if (const auto mean = meanOf(family, part, id, tested)) all.emplace_back(-*mean, id);
     }
     std::ranges::stable_sort(all, {}, [](const auto& one) { return one.first; });
     const auto text = base::joined(all, ", ", [&](const auto& one) {
@@ -131,7 +141,6 @@ class AnswerWriter : HtmlWriter {
       const auto& lower = section_.conditionTitle(isSecondHigher(row) ? row.group1 : row.group2);
       otherFindings.push_back(section_.words.say("{} was rated higher than {}", higher, lower));
     }
-    const auto isInDoubt = [&](const auto& row) { return report::isInDoubt(family, row); };
     const bool areAllInDoubt = rows.size() > 1 && std::ranges::all_of(rows, isInDoubt);
     std::string text;
     std::string subject;  // the method with the higher rating in the clause before
@@ -191,18 +200,16 @@ class AnswerWriter : HtmlWriter {
     }
     numbers += formatP(family, *row.test);
     if (family.isNamed("welch")) numbers += "; " + withinPeople(family, *row.withinPeople, sign);
-    const auto points = rounded(sign * *row.difference->estimate.value, 2);
-    const auto clear =
-        say("{} was rated {} points higher than {} ({})", higher, points, lower, numbers);
+    if (row.equivalenceP) {
+      numbers += "; TOST " + formatPWithSymbol(row.equivalenceP, {}, section_.wording);
+    }
+    const auto points =
+        withUnit(section_, family.family, rounded(sign * *row.difference->estimate.value, 2));
+    const auto clear = say("{} was rated {} higher than {} ({})", higher, points, lower, numbers);
     const auto unclear =
-        say("{} was rated {} points higher than {} (not significant: {})",
-            higher,
-            points,
-            lower,
-            numbers);
-    const auto alsoClear = say("{} points higher than {} ({})", points, lower, numbers);
-    const auto alsoUnclear =
-        say("{} points higher than {} (not significant: {})", points, lower, numbers);
+        say("{} was rated {} higher than {} (not significant: {})", higher, points, lower, numbers);
+    const auto alsoClear = say("{} higher than {} ({})", points, lower, numbers);
+    const auto alsoUnclear = say("{} higher than {} (not significant: {})", points, lower, numbers);
     const auto alike = say("the means of {} and {} are the same ({})", higher, lower, numbers);
     if (std::abs(*row.difference->estimate.value) < kPrintedAsZero) return withSubscripts(alike);
     const bool isSameSubject = higherMethodOf(row) == subject;
@@ -302,6 +309,8 @@ class AnswerWriter : HtmlWriter {
     });
     const auto mixed = say("The declared comparisons: means, and p after correction");
     const auto named = say("Declared: {}", declared);
+    const auto later = say("The comparisons: means, and p after correction");
+    if (!std::ranges::all_of(all, &FamilyResult::isDeclared)) return later;
     return isSame ? named : mixed;
   }
 
@@ -347,7 +356,8 @@ class AnswerWriter : HtmlWriter {
         }
         comparisonRow(family, part, comparison, effect.empty());
         isAnyBold = isAnyBold || isBold(family, comparison);
-        isAnyOfTwoPeople = isAnyOfTwoPeople || !comparison.difference->effect.value;
+        isAnyOfTwoPeople =
+            isAnyOfTwoPeople || (!family.isNamed("welch") && !comparison.difference->effect.value);
       }
     });
     endTable();
@@ -367,10 +377,17 @@ class AnswerWriter : HtmlWriter {
     const auto ofTested =
         say("p is corrected for the comparisons under one heading that were tested, intervals are "
             "not: one without 0 may come with a p above α.");
+    const auto student =
+        say("Intervals are Student’s, of the mean difference; p is of an exact test, so that the "
+            "two may disagree about 0.");
+    const bool isAnyExact = std::ranges::any_of(section_.results.families, [](const auto& family) {
+      return family.isNamed("sign_flip") || family.isNamed("signed_rank");
+    });
     const auto ofTwoPeople = withSubscripts(say("{} needs three participants.", "g_z"));
     const auto bold = say("Bold: p ≤ α.");
-    put("<p class=\"note\">{}{}{}{}{}{}</p>",
+    put("<p class=\"note\">{}{}{}{}{}{}{}</p>",
         order,
+        isAnyExact ? " " + student : std::string(),
         differInPeople ? " " + ofBoth : std::string(),
         effect == "g_z" ? " " + standardised : std::string(),
         effect == "g_z" && isAnyOfTwoPeople ? " " + ofTwoPeople : std::string(),
@@ -405,7 +422,7 @@ class AnswerWriter : HtmlWriter {
       const CohortResult& part,
       const Declared& comparison,
       bool namesEffect) {
-    const auto& [group1, group2, difference, test, withinPeople, people] = comparison;
+    const auto& [group1, group2, difference, test, withinPeople, people, equivalenceP] = comparison;
     const auto& effect = difference->effect;
     const auto p = cellOfP(
         test->adjusted && !nameOf(family.family.correction).empty() ? test->adjusted : test->p);
@@ -433,6 +450,23 @@ class AnswerWriter : HtmlWriter {
     return named(first) + " vs. " + named(second);
   }
 
+  /// The means of the participants who judged all of @p methods; std::nullopt where all answers are
+  /// pooled.
+  static std::optional<analysis::CompleteCaseMeans> whoJudged(
+      const FamilyResult& family,
+      const CohortResult& part,
+      const std::vector<std::string>& methods) {
+    std::vector<std::size_t> places;
+    for (const auto& method : methods) {
+      const auto place = std::ranges::find(part.table.methods, method);
+      places.push_back(static_cast<std::size_t>(place - part.table.methods.begin()));
+    }
+    if (family.isNamed("welch") || std::ranges::max(places) == part.table.methods.size()) {
+      return std::nullopt;
+    }
+    return analysis::completeCaseMeans(part.table, places);
+  }
+
   /// The mean of a method that the declared test compares: of all answers, or of the means of the
   /// participants who judged all of @p methods.
   static std::optional<double> meanOf(
@@ -440,15 +474,9 @@ class AnswerWriter : HtmlWriter {
       const CohortResult& part,
       const std::string& id,
       const std::vector<std::string>& methods) {
-    std::vector<std::size_t> places;
-    for (const auto& method : methods) {
-      const auto place = std::ranges::find(part.table.methods, method);
-      places.push_back(static_cast<std::size_t>(place - part.table.methods.begin()));
-    }
-    if (!family.isNamed("welch") && std::ranges::max(places) < part.table.methods.size()) {
+    if (const auto people = whoJudged(family, part, methods)) {
       const auto place = std::ranges::find(methods, id) - methods.begin();
-      const auto people = analysis::completeCaseMeans(part.table, places);
-      return analysis::summarise(people.of(static_cast<std::size_t>(place))).mean;
+      return analysis::summarise(people->of(static_cast<std::size_t>(place))).mean;
     }
     const auto one = std::ranges::find(part.conditions, id, &analysis::NamedSample::name);
     return one == part.conditions.end() ? std::nullopt : one->answers.mean();

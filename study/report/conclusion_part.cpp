@@ -19,38 +19,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// The condition that got most votes.
-struct MostNamed {
-  std::string condition;
-  std::string phase;  ///< a phase that asked for votes
-  std::uint64_t votes = 0;
-  std::uint64_t total = 0;
-  std::size_t rounds = 0;
-};
-
-/// std::nullopt if there are no votes, or if several conditions have the largest number of votes.
-std::optional<MostNamed> mostNamedIn(const Results& results) {
-  for (const auto& table : voteTables(results)) {
-    MostNamed most{.total = table.total.total()};
-    if (most.total == 0) continue;
-    for (const auto& share : table.total.shares()) most.votes = std::max(most.votes, share.votes);
-    Names named;
-    for (const auto& share : table.total.shares()) {
-      if (share.votes == most.votes) named.push_back(share.option);
-    }
-    if (named.size() > 1) continue;
-    std::set<std::string> rounds;
-    for (const auto& cohort : table.cohorts) {
-      for (const auto* vote : cohort.rounds) rounds.insert(vote->phase);
-    }
-    most.condition = named.front();
-    most.phase = *rounds.begin();
-    most.rounds = rounds.size();
-    return most;
-  }
-  return std::nullopt;
-}
-
 /// Two forms of a sentence on what the declared test found: `first` begins a text and names the
 /// test, `next` follows it.
 struct Finding {
@@ -77,6 +45,7 @@ struct Outcome {
   std::size_t significantlyLower = 0;
   std::size_t testedWithin = 0;       ///< cohorts with a paired test of participants' means
   std::size_t significantWithin = 0;  ///< of the significant ones, those in which it agrees
+  std::size_t negligible = 0;         ///< cohorts in which it is smaller than the family's bound
   std::vector<double> points;         ///< of each cohort, above 0 where the best one is higher
   std::size_t mostPeople = 0;         ///< who were compared in a cohort
 
@@ -128,7 +97,7 @@ class VerdictWriter {
         most.votes,
         most.total,
         origin,
-        isAnyVoteSignificant() ? std::string() : "; " + words_("not significant in any cohort")));
+        isAnyVoteSignificant() ? std::string() : "; " + votesAreNotSignificant()));
     const auto* asked = questionIn(most.phase);
     if (asked == nullptr) return;
     more_.push_back(words_.say("The votes answer “{}”", questionOf(*asked, words_.language())));
@@ -139,10 +108,25 @@ class VerdictWriter {
   bool isAnyVoteSignificant() const {
     constexpr double kAlpha = 0.05;
     const auto& all = section_.results.votes;
-    const auto isTested = [](const auto& vote) { return vote.test.exactP.has_value(); };
-    return std::ranges::none_of(all, isTested) || std::ranges::any_of(all, [](const auto& vote) {
-             return vote.test.exactP.value_or(1.0) <= kAlpha;
+    const auto pOf = [](const VoteResult& vote) {
+      return vote.test.exactP ? vote.test.exactP : vote.test.p;
+    };
+    const auto isTested = [&](const auto& vote) { return pOf(vote).has_value(); };
+    return std::ranges::none_of(all, isTested) || std::ranges::any_of(all, [&](const auto& vote) {
+             return pOf(vote).value_or(1.0) <= kAlpha;
            });
+  }
+
+  std::string votesAreNotSignificant() const {
+    const auto inAny = words_("not significant in any cohort");
+    const auto inOne = words_("not significant");
+    return hasOneCohort() ? inOne : inAny;
+  }
+
+  /// Whether people of one cohort only completed.
+  bool hasOneCohort() const {
+    return std::ranges::count_if(
+               section_.results.flow, [](const auto& flow) { return flow.completed > 0; }) == 1;
   }
 
   /// The question of a preference; nullptr if its instrument has none about alternatives.
@@ -205,6 +189,13 @@ class VerdictWriter {
     }
     if (counts.empty()) return;
     more_.push_back(words_.say("Significant differences otherwise: {}.", listed(counts, words_)));
+    for (const auto& family : section_.results.families) {
+      if (&family == &main || !family.isDeclared) continue;
+      const auto small = negligible(family);
+      if (!small.empty()) {
+        more_.push_back(words_.say("“{}”", family.family.title) + ": " + small);
+      }
+    }
   }
 
   /// Whether the ratings of the best alternative differ from those of the others.
@@ -232,8 +223,11 @@ class VerdictWriter {
       if (isHighestInEach(family)) more_.push_back(highest(family));
     } else if (!alike.empty()) {
       others.push_back(neither(alike));
-      others.push_back(sizesOf(alike));
+      const bool isAnyUnknown = std::ranges::any_of(
+          alike, [](const auto& one) { return one.negligible < one.testedCohorts; });
+      if (isAnyUnknown) others.push_back(sizesOf(family, alike));
     }
+    if (auto small = negligible(family); !small.empty()) headline_.push_back(std::move(small));
     std::ranges::move(otherDifferences(family, !found.empty()), std::back_inserter(others));
   }
 
@@ -266,6 +260,13 @@ class VerdictWriter {
     }
     Names sentences;
     for (const auto& [pair, cohorts] : pairs) {
+      if (hasOneCohort() && cohorts.pooledOnly.empty()) {
+        sentences.push_back(words_.say(
+            kHigher.next,
+            section_.conditionTitle(pair.first),
+            section_.conditionTitle(pair.second)));
+        continue;
+      }
       const auto where = listed(cohorts.all, words_);
       const auto pooled =
           words_.say("{}, not by the paired t-test", listed(cohorts.pooledOnly, words_));
@@ -319,25 +320,69 @@ class VerdictWriter {
         family.cohorts, [&](const auto& part) { return isTested(family, part); });
     const auto where = cohorts > 1 ? " " + words_("in any cohort") : std::string();
     const auto who = peopleIn(family);
-    return words_.count(
+    const auto found = words_.count(
         pairs.size(),
-        "By the declared test ({1}), the difference ({2}) was not significant{3} ({4}). That does "
-        "not show that both are alike.",
-        "By the declared test ({1}), none of the {0} differences ({2}) was significant{3} ({4}). "
-        "That does not show that they are alike.",
+        "By the declared test ({1}), the difference ({2}) was not significant{3} ({4}).",
+        "By the declared test ({1}), none of the {0} differences ({2}) was significant{3} ({4}).",
         test_,
-        sizesOf(points),
+        sizesOf(family, points),
         where,
         who);
+    const auto unknown = words_.count(
+        pairs.size(),
+        "That does not show that both are alike.",
+        "That does not show that they are alike.");
+    const bool areAllSmall = std::ranges::all_of(
+        testedIn(family), [&](const auto& row) { return isNegligible(family, row); });
+    return areAllSmall ? found : found + " " + unknown;
+  }
+
+  /// Whether the difference is smaller than the bound that the family declares.
+  static bool isNegligible(const FamilyResult& family, const Declared& row) {
+    return row.equivalenceP.value_or(1.0) <= family.family.alpha;
+  }
+
+  /// Which differences are smaller than the declared bound; empty without one.
+  std::string negligible(const FamilyResult& family) const {
+    constexpr std::size_t kFew = 3;
+    std::size_t tested = 0;
+    Names pairs;
+    for (const auto& part : family.cohorts) {
+      for (const auto& row : declaredIn(family, part)) {
+        if (!row.isDefined() || !row.equivalenceP) continue;
+        ++tested;
+        if (!isNegligible(family, row)) continue;
+        const auto pair = words_.say(
+            "{} and {}", section_.conditionTitle(row.group1), section_.conditionTitle(row.group2));
+        pairs.push_back(
+            hasOneCohort() ? pair : pair + " (" + section_.cohortTitle(part.cohort) + ")");
+      }
+    }
+    const auto bound = withUnit(
+        section_, family.family, fmt::format("{:g}", family.family.equivalenceBound.value_or(0.0)));
+    const auto alpha = fmt::format("{:g}", family.family.alpha);
+    const auto some = words_.say(
+        "Negligible as declared, smaller than {} (TOST, p ≤ {}): {}.",
+        bound,
+        alpha,
+        base::joined(pairs, ", "));
+    const auto many = words_.say(
+        "Negligible as declared, smaller than {} (TOST, p ≤ {}): {} of {} differences.",
+        bound,
+        alpha,
+        pairs.size(),
+        tested);
+    return pairs.empty() ? std::string() : pairs.size() > kFew ? many : some;
   }
 
   /// "0.41 to 2.42 points".
-  std::string sizesOf(const std::vector<double>& points) const {
+  std::string sizesOf(const FamilyResult& family, const std::vector<double>& points) const {
     const auto [least, most] = std::ranges::minmax(points);
     const auto first = rounded(least, 2);
     const auto last = rounded(most, 2);
-    const auto range = words_.say("{} to {} points", first, last);
-    return first == last ? words_.say("{} points", last) : range;
+    const auto size = withUnit(section_, family.family, last);
+    const auto range = words_.say("{} to {}", first, size);
+    return first == last ? size : range;
   }
 
   /// "4 people each, 8 planned": of the comparisons that were tested.
@@ -386,7 +431,7 @@ class VerdictWriter {
   }
 
   /// What differences that are not significant do not show.
-  std::string sizesOf(const std::vector<Outcome>& outcomes) const {
+  std::string sizesOf(const FamilyResult& family, const std::vector<Outcome>& outcomes) const {
     std::vector<double> points;
     std::size_t mostPeople = 0;
     for (const auto& one : outcomes) {
@@ -395,7 +440,7 @@ class VerdictWriter {
     }
     return words_.say(
         "That does not show that they are alike ({}, at most {} people).",
-        sizesOf(points),
+        sizesOf(family, points),
         mostPeople);
   }
 
@@ -497,6 +542,7 @@ class VerdictWriter {
         const bool agrees = agreesWithin(row, sign * difference);
         outcome.mostPeople = std::max(outcome.mostPeople, row.people);
         ++outcome.testedCohorts;
+        if (isNegligible(family, row)) ++outcome.negligible;
         outcome.points.push_back(difference);
         if (isSignificant)
           ++(difference > 0.0 ? outcome.significantlyHigher : outcome.significantlyLower);

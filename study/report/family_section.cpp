@@ -186,8 +186,8 @@ class FamilyWriter : HtmlWriter {
       }
       put("<li>{}: {}</li>",
           cohort(part.cohort),
-          say("{} points from one position to the next, 95 % CI {}, t({:g}) = {}, p {}.",
-              rounded(slope.meanDifference, 2),
+          say("{} from one position to the next, 95 % CI {}, t({:g}) = {}, p {}.",
+              withUnit(section_, result_.family, rounded(slope.meanDifference, 2)),
               formatInterval(part.position.slopeInterval, section_.wording, section_.words),
               slope.degreesOfFreedom.value_or(0.0),
               rounded(slope.t, 2),

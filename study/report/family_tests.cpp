@@ -13,6 +13,18 @@
 namespace study::report {
 namespace {
 
+/// The number of participants with answers about one of @p methods; without any, about any method.
+std::size_t respondentsIn(
+    const analysis::AnswerTable& table, const std::vector<std::string>& methods = {}) {
+  std::set<std::size_t> people;
+  for (const auto& answer : table.answers) {
+    const bool isMeant =
+        methods.empty() || std::ranges::count(methods, table.methods[answer.method]) > 0;
+    if (isMeant) people.insert(answer.participant);
+  }
+  return people.size();
+}
+
 /// Writes one family's tests.
 class TestsWriter : HtmlWriter {
  public:
@@ -93,7 +105,15 @@ class TestsWriter : HtmlWriter {
       for (const auto& line : lines) {
         sentences += " " + escaped(line) + ".";
       }
-      put("<p><em>{}</em>:{}</p>", cohort(part.cohort), sentences);
+      const auto leftOut = respondentsIn(part.table) - part.within.participants;
+      const auto who =
+          say("{} of {} participants judged all methods; the others are left out.",
+              part.within.participants,
+              part.within.participants + leftOut);
+      put("<p><em>{}</em>:{}{}</p>",
+          cohort(part.cohort),
+          sentences,
+          leftOut > 0 && !sentences.empty() ? " " + who : std::string());
     }
   }
 
@@ -120,9 +140,7 @@ class TestsWriter : HtmlWriter {
         rowOver(cohort(part.cohort) + ": " + whyNotTested(part));
         continue;
       }
-      rowOver(
-          cohort(part.cohort) + ", " +
-          count(part.within.participants, "{} participant", "{} participants"));
+      rowOver(cohort(part.cohort) + ", " + peopleIn(part));
       for (const auto& comparison : part.within.rows) difference(comparison, areDifferencesShown);
     }
     endTable();
@@ -139,6 +157,19 @@ class TestsWriter : HtmlWriter {
     add(hasBayesFactor_, bayes);
     add(hasOdds_, odds);
     if (!note.empty()) put("<p class=\"note\">{}</p>", note);
+  }
+
+  /// "9 participants", or "8 to 10 participants" where not all were compared in each comparison.
+  std::string peopleIn(const CohortResult& part) const {
+    std::set<std::size_t> counts;
+    for (const auto& row : part.within.rows) {
+      const auto& test = row.test("paired_t");
+      if (test.p) counts.insert(test.n1.value_or(0));
+    }
+    if (counts.empty()) counts.insert(part.within.participants);
+    const auto range = say("{} to {} participants", *counts.begin(), *counts.rbegin());
+    const auto same = count(*counts.begin(), "{} participant", "{} participants");
+    return counts.size() > 1 ? range : same;
   }
 
   void tests() {
@@ -182,7 +213,9 @@ class TestsWriter : HtmlWriter {
       if (isTrue) text += (text.empty() ? "" : " ") + sentence;
     };
     const auto bound = result_.family.equivalenceBound;
-    const auto within = say("Equivalence: two one-sided tests within ±{:g}.", bound.value_or(0.0));
+    const auto within =
+        say("Equivalence: two one-sided tests within ±{:g}; their p is not corrected.",
+            bound.value_or(0.0));
     const auto marked =
         say(!result_.isDeclared ? "* the test that the protocol names; exploratory."
             : hasBold_          ? "* the declared test; bold: its adjusted p ≤ α."
@@ -296,35 +329,29 @@ class TestsWriter : HtmlWriter {
   bool hasBayesFactor_ = false;  ///< the same of Bayes factors
 };
 
-/// The number of participants with answers about one of @p methods; without any, about any method.
-std::size_t respondentsIn(
-    const analysis::AnswerTable& table, const std::vector<std::string>& methods = {}) {
-  std::set<std::size_t> people;
-  for (const auto& answer : table.answers) {
-    const bool isMeant =
-        methods.empty() || std::ranges::count(methods, table.methods[answer.method]) > 0;
-    if (isMeant) people.insert(answer.participant);
-  }
-  return people.size();
-}
-
 }  // namespace
 
 std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort) {
   std::vector<Declared> all;
+  const auto equivalenceP = [](const analysis::WithinComparison& row) {
+    const auto* tost = analysis::findTest(row.tests, "tost");
+    return tost == nullptr ? std::nullopt : tost->p;
+  };
   static const analysis::TestRow kNone;
   if (family.isNamed("welch")) {
     for (const auto& row : cohort.comparisons.rows) {
       const auto within = std::ranges::find_if(cohort.within.rows, [&](const auto& other) {
         return other.group1 == row.group1 && other.group2 == row.group2;
       });
+      const bool isWithin = within != cohort.within.rows.end();
       all.push_back(
           {row.group1,
            row.group2,
            &row,
            &row,
-           within == cohort.within.rows.end() ? &kNone : &within->test("paired_t"),
-           respondentsIn(cohort.table, {row.group1, row.group2})});
+           isWithin ? &within->test("paired_t") : &kNone,
+           respondentsIn(cohort.table, {row.group1, row.group2}),
+           isWithin ? equivalenceP(*within) : std::nullopt});
     }
     return all;
   }
@@ -336,7 +363,8 @@ std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult&
          &paired,
          &row.test(idOf(family.family.test)),
          &paired,
-         paired.n1.value_or(0)});
+         paired.n1.value_or(0),
+         equivalenceP(row)});
   }
   return all;
 }

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/joined.h"
+#include "base/search.h"
 #include "questionnaires/scoring/scoring.h"
 #include "study/model/data_table.h"
 #include "study/report/html_writer.h"
@@ -113,8 +114,12 @@ class InstrumentWriter : HtmlWriter {
     const bool hasOneScore = found != nullptr && found->scores.size() == 1;
     if (!hasConditionScore_ || !hasOneScore || !family.score.empty()) return;
     const auto& score = found->scores.front();
+    const auto compared = protocols::comparedItems(family, found->items);
+    const bool hasAll = std::ranges::all_of(
+        score.items, [&](const auto& id) { return base::withId(compared, id) != nullptr; });
+    if (!hasAll) return;
     std::vector<std::string> others;
-    for (const auto& item : protocols::comparedItems(family, found->items)) {
+    for (const auto& item : compared) {
       if (std::ranges::find(score.items, item.id) != score.items.end()) continue;
       others.push_back(section_.words.say("“{}”", questionOf(item, section_.words.language())));
     }

@@ -14,11 +14,10 @@
 namespace study::report {
 namespace {
 
-/// The index in kFlagsBySeverity of the last flag that weighs more than a disclosure (conditions
-/// that participants can tell apart).
+/// The index of the last of kFlagsBySeverity that weighs more than a disclosure (kDisclosures).
 constexpr std::ptrdiff_t kLastSeverityBeforeDisclosures = 3;
 
-/// Warnings about a study's files that say nothing about its results.
+/// Warnings about files that say nothing about results.
 constexpr std::array<std::string_view, 18> kFileWarnings{
     "no_normals",
     "normals_without_direction",
@@ -83,7 +82,7 @@ struct LimitationFinding {
   std::vector<std::string> cohorts;
 };
 
-/// A kind of flag, with what was found in each cohort, of all families together.
+/// A kind of flag, with what was found in each cohort and family.
 struct Limitation {
   const analysis::Flag* flag;
   std::vector<LimitationFinding> found;
@@ -439,8 +438,7 @@ class LimitationsWriter : HtmlWriter {
     return section_.results.completed() != 1 || !base::contains(kFlagsThatNeedSeveralPeople, id);
   }
 
-  /// Writes which weaknesses were looked for and not found, and which could not be looked for.
-  /// Writes nothing for a study of one participant, where most could not be looked for.
+  /// Which weaknesses were not found, or could not be looked for; not of a single participant.
   void putChecksWithoutFinding(const std::vector<Limitation>& found) {
     if (section_.results.completed() == 1) return;
     std::string absent;
@@ -464,6 +462,7 @@ class LimitationsWriter : HtmlWriter {
   std::vector<Limitation> limitations() const {
     std::vector<Limitation> all;
     for (const auto& family : section_.results.families) {
+      const auto title = section_.words.say("“{}”", family.family.title) + ": ";
       for (const auto& raised : flagsByKind(family, isPooled(Profile::Declared, family.family))) {
         if (section_.results.completed() == 1 &&
             base::contains(kFlagsThatNeedSeveralPeople, raised.flag->id))
@@ -471,7 +470,11 @@ class LimitationsWriter : HtmlWriter {
         auto same = std::ranges::find_if(
             all, [&](const auto& other) { return other.flag->id == raised.flag->id; });
         if (same == all.end()) same = all.insert(all.end(), {raised.flag, {}});
-        for (const auto& [cohort, flag] : raised.found) add(same->found, cohort, *flag);
+        const bool isNamed =
+            section_.results.families.size() > 1 && !raised.flag->concernsRendering;
+        for (const auto& [cohort, flag] : raised.found) {
+          add(same->found, cohort, *flag, isNamed ? title : std::string());
+        }
       }
     }
     std::ranges::stable_sort(all, {}, severityOf);
@@ -481,14 +484,12 @@ class LimitationsWriter : HtmlWriter {
   void add(
       std::vector<LimitationFinding>& found,
       const std::string& cohort,
-      const analysis::Flag& flag) const {
-    std::string what;
+      const analysis::Flag& flag,
+      std::string what) const {
     for (const auto& part : flag.what) what += section_.inWords(part);
     auto same = std::ranges::find(found, what, &LimitationFinding::sentence);
     if (same == found.end()) same = found.insert(found.end(), {what, {}});
-    if (std::ranges::find(same->cohorts, cohort) == same->cohorts.end()) {
-      same->cohorts.push_back(cohort);
-    }
+    if (!base::contains(same->cohorts, cohort)) same->cohorts.push_back(cohort);
   }
 
   std::vector<std::string> cohortsWithPeople() const {
@@ -503,9 +504,8 @@ class LimitationsWriter : HtmlWriter {
   std::vector<std::string> cohortsIn(const Limitation& limitation) const {
     auto ids = cohortsWithPeople();
     std::erase_if(ids, [&](const auto& id) {
-      return std::ranges::none_of(limitation.found, [&](const auto& found) {
-        return std::ranges::find(found.cohorts, id) != found.cohorts.end();
-      });
+      return std::ranges::none_of(
+          limitation.found, [&](const auto& found) { return base::contains(found.cohorts, id); });
     });
     return ids;
   }

@@ -217,6 +217,10 @@ class MethodsWriter : HtmlWriter {
   /// How many trials, strokes and answers of each condition count.
   std::string exposure() const {
     const auto* family = mainFamily(section_);
+    const bool isOfSeveral = family != nullptr && section_.results.families.size() > 1;
+    const auto title =
+        section_.words.say("“{}”", isOfSeveral ? family->family.title : std::string());
+    const auto ofFamily = isOfSeveral ? " (" + title + ")" : std::string();
     std::vector<std::pair<std::string, std::string>> counts;  // condition, counts
     for (const auto& one : section_.quality.conditions) {
       std::uint64_t answers = 0;
@@ -231,7 +235,7 @@ class MethodsWriter : HtmlWriter {
               "{}, {}, {}",
               section_.words.count(one.trials, "{} trial", "{} trials"),
               section_.words.count(one.cuts, "{} cut or stroke", "{} cuts or strokes"),
-              section_.words.count(answers, "{} answer", "{} answers")));
+              section_.words.count(answers, "{} answer", "{} answers") + ofFamily));
     }
     if (counts.empty()) return {};
     const auto isSame = [&](const auto& one) { return one.second == counts.front().second; };

@@ -31,6 +31,11 @@ class PreferenceWriter : HtmlWriter {
     const bool isTested = std::ranges::any_of(
         section_.results.votes, [](const auto& vote) { return vote.test.exactP.has_value(); });
     if (isTested) put("<p class=\"note\">{}</p>", exact);
+    const auto many = std::ranges::find_if(
+        section_.results.votes, [](const auto& vote) { return !vote.test.exactP && vote.test.p; });
+    if (many != section_.results.votes.end()) {
+      put("<p class=\"note\">χ²: {}.</p>", escaped(section_.words(many->test.reason)));
+    }
     if (std::ranges::any_of(tables, hasSums)) {
       note(
           "Sums count a participant once a round. Votes of one person are not independent, so sums "
@@ -95,7 +100,9 @@ class PreferenceWriter : HtmlWriter {
       }
       cells.push_back(cell);
     }
-    cells.push_back(cellOfP(vote.test.exactP));
+    cells.push_back(
+        vote.test.exactP || !vote.test.p ? cellOfP(vote.test.exactP)
+                                         : "χ²: " + cellOfP(vote.test.p));
     row(cells);
   }
 };

@@ -38,12 +38,12 @@ std::set<SessionId> completedSessions(const storage::Records& records, RunMode m
   return completed;
 }
 
-/// All visits to the trials of completed sessions.
-std::vector<storage::StoredTrial> trialsOf(const storage::Records& records, RunMode mode) {
-  const auto completed = completedSessions(records, mode);
+/// All visits to the trials of @p sessions.
+std::vector<storage::StoredTrial> trialsOf(
+    const storage::Records& records, const std::set<SessionId>& sessions) {
   auto trials = records.trials();
   std::erase_if(
-      trials, [&](const auto& trial) { return !completed.contains(trial.step.visit.session); });
+      trials, [&](const auto& trial) { return !sessions.contains(trial.step.visit.session); });
   return trials;
 }
 
@@ -56,7 +56,7 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
   for (const auto& [where, trials] : records.unfinishedTrials()) {
     if (completed.contains(where.first)) quality.interrupted.skipped[where.second] += trials;
   }
-  for (const auto& trial : trialsOf(records, mode)) {
+  for (const auto& trial : trialsOf(records, completed)) {
     const bool isOptional = trial.step.isOptionalRepetition();
     if (!trial.step.isFinished()) {
       if (isOptional) continue;
@@ -160,7 +160,7 @@ std::vector<double> valuesOf(const std::vector<storage::CutRecord>& cuts, Coordi
 std::vector<LandmarkSummary> landmarksOf(Study& study, RunMode mode) {
   const storage::Records records(study.database());
   std::map<VisitKey, storage::StoredTrial> trials;
-  for (auto& trial : trialsOf(records, mode)) {
+  for (auto& trial : trialsOf(records, completedSessions(records, mode))) {
     const bool counts = trial.step.isFinished() && !trial.step.isOptionalRepetition();
     if (counts) trials.emplace(trial.step.visit, std::move(trial));
   }
@@ -377,6 +377,35 @@ std::string scaleInWords(const ReportSection& section, const protocols::Family& 
   const auto compared = protocols::comparedItems(family, instrument->items);
   for (const auto& item : compared) items.push_back(&item);
   return scaleInWords(items, section.words);
+}
+
+namespace {
+
+/// The unit that all compared items have; empty if there is none.
+std::string commonUnit(const ReportSection& section, const protocols::Family& family) {
+  const auto* instrument = section.instrument(family.instrument);
+  if (instrument == nullptr || !family.score.empty()) return {};
+  std::set<std::string> units;
+  for (const auto& item : protocols::comparedItems(family, instrument->items)) {
+    if (protocols::scaleOf(item)) units.insert(item.unit);
+  }
+  return units.size() == 1 ? *units.begin() : std::string();
+}
+
+}  // namespace
+
+std::string unitInWords(const ReportSection& section, const protocols::Family& family) {
+  const auto unit = commonUnit(section, family);
+  const auto points = section.words("points");
+  return unit.empty() ? points : unit;
+}
+
+std::string withUnit(
+    const ReportSection& section, const protocols::Family& family, const std::string& number) {
+  const auto unit = commonUnit(section, family);
+  const auto points = section.words.say("{} points", number);
+  const auto point = section.words("1 point");
+  return !unit.empty() ? number + "\u00a0" + unit : number == "1" ? point : points;
 }
 
 std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSection& section) {

@@ -169,6 +169,13 @@ std::string scaleInWords(
 /// The scale of what a family compares, in words.
 std::string scaleInWords(const ReportSection& section, const protocols::Family& family);
 
+/// The unit of what a family compares, in words: that of its items, or "points".
+std::string unitInWords(const ReportSection& section, const protocols::Family& family);
+
+/// A number with this unit: "0.41 points", "4.80 N".
+std::string withUnit(
+    const ReportSection& section, const protocols::Family& family, const std::string& number);
+
 /// The figures that were painted: pairs of a file name ("realism-answers") and the SVG element.
 std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSection& section);
 

@@ -34,6 +34,93 @@ std::string_view publicationsOf(protocols::CorrectionType correction) {
   return {};
 }
 
+/// Writes what a later version of the protocol did to a family.
+class PlanChange {
+ public:
+  PlanChange(const ReportSection& section, const FamilyChange& change)
+      : section_(section), words_(section.words), change_(change) {}
+
+  std::string inWords() const {
+    const auto when = this->when();
+    switch (change_.kind) {
+      case FamilyChange::Kind::Added:
+        return words_.say(
+            "Version {} ({}) added “{}” after the first participant had begun{}",
+            change_.version,
+            when,
+            change_.title,
+            consequence());
+      case FamilyChange::Kind::Removed:
+        return words_.say(
+            "Version {} ({}) dropped “{}”, which had been declared before.",
+            change_.version,
+            when,
+            change_.title);
+      case FamilyChange::Kind::Restored:
+        return words_.say(
+            change_.isHarmless
+                ? "Version {} ({}) put “{}” back as it was declared, before anybody had begun with "
+                  "the "
+                  "change."
+                : "Version {} ({}) put “{}” back as it was declared, but participants had begun "
+                  "with the change: all of it is exploratory.",
+            change_.version,
+            when,
+            change_.title);
+      case FamilyChange::Kind::Changed:
+        break;
+    }
+    return words_.say(
+        "Version {} ({}) changed “{}” after the first participant had begun ({}){}",
+        change_.version,
+        when,
+        change_.title,
+        base::joined(change_.keys, ", ", [&](auto key) { return changed(key); }),
+        consequence());
+  }
+
+ private:
+  /// "2026-03-01, after 4 participants"
+  std::string when() const {
+    const auto day = change_.addedUtc.substr(0, change_.addedUtc.find('T'));
+    const auto after =
+        words_.count(change_.participants, "after {} participant", "after {} participants");
+    return change_.participants > 0 ? day + ", " + after : day;
+  }
+
+  /// "test: before paired t-test of participants' means, now …"; only the name of a key with lists.
+  std::string changed(std::string_view key) const {
+    const auto name = words_(key == "equivalence_bound" ? "equivalence bound" : key);
+    if (!change_.before || !change_.after) return name;
+    const auto before = valueOf(*change_.before, key);
+    const auto after = valueOf(*change_.after, key);
+    const auto both = words_.say("{}: before {}, now {}", name, before, after);
+    return before.empty() || after.empty() ? name : both;
+  }
+
+  std::string valueOf(const protocols::Family& family, std::string_view key) const {
+    const auto correction = nameOf(family.correction);
+    const auto bound = family.equivalenceBound.value_or(0.0);
+    if (key == "test") return testInWords(family.test, words_);
+    if (key == "correction") return correction.empty() ? words_("none") : std::string(correction);
+    if (key == "alpha") return exactDecimal(family.alpha);
+    if (key != "equivalence_bound") return {};
+    return family.equivalenceBound ? withUnit(section_, family, exactDecimal(bound))
+                                   : words_("none");
+  }
+
+  /// The consequence for the family, as the end of a sentence.
+  std::string consequence() const {
+    return words_(
+        change_.isHarmless ? "; it was put back as it was declared."
+                           : ": all of it is exploratory.");
+  }
+
+  const ReportSection& section_;
+  const words::Words& words_;
+  const FamilyChange& change_;
+};
+
 /// Writes what was declared, and which tests the report has. A test without any result is not among
 /// them.
 class StatisticsWriter : HtmlWriter {
@@ -103,20 +190,22 @@ class StatisticsWriter : HtmlWriter {
               section_.words.count(family.comparisons.size(), "{} comparison", "{} comparisons")) +
           " ";
       if (family.equivalenceBound) {
-        text += say("Differences below {:g} points count as none.", *family.equivalenceBound) + " ";
+        const auto bound =
+            withUnit(section_, family, fmt::format("{:g}", *family.equivalenceBound));
+        text += say("Differences below {} count as none.", bound) + " ";
       }
     }
     return text + changes();
   }
 
-  /// The changes that later versions of the protocol made to the families.
+  /// What is said of later versions of the protocol; page 1 has their changes to the families.
   std::string changes() const {
     const auto& history = section_.history;
     if (history.versions < 2) return {};
     std::string text =
         say("There are {} versions of the protocol; the audit trail has each with its reason.",
             history.versions);
-    for (const auto& change : history.changes) text += " " + describe(change);
+    for (const auto& sentence : planChangesInWords(section_)) text += " " + escaped(sentence);
     if (!section_.results.changes.empty()) {
       text += " " + say("What was asked or felt was changed as well: see “Limitations”.");
     }
@@ -127,53 +216,6 @@ class StatisticsWriter : HtmlWriter {
                 ? say("All of them are older than the first participant’s session.")
                 : say("None that came after the first participant had begun changed what was "
                       "declared."));
-  }
-
-  std::string describe(const FamilyChange& change) const {
-    const auto day = change.addedUtc.substr(0, change.addedUtc.find('T'));
-    switch (change.kind) {
-      case FamilyChange::Kind::Added:
-        return say(
-            "Version {} ({}) added “{}” after the first participant had begun{}",
-            change.version,
-            day,
-            change.title,
-            consequenceOf(change));
-      case FamilyChange::Kind::Removed:
-        return say(
-            "Version {} ({}) dropped “{}”, which had been declared before.",
-            change.version,
-            day,
-            change.title);
-      case FamilyChange::Kind::Restored:
-        return say(
-            change.isHarmless
-                ? "Version {} ({}) put “{}” back as it was declared, before anybody had begun with "
-                  "the "
-                  "change."
-                : "Version {} ({}) put “{}” back as it was declared, but participants had begun "
-                  "with the change: all of it is exploratory.",
-            change.version,
-            day,
-            change.title);
-      case FamilyChange::Kind::Changed:
-        break;
-    }
-    const auto keys = base::joined(change.keys, ", ", section_.words);
-    return say(
-        "Version {} ({}) changed “{}” after the first participant had begun ({}){}",
-        change.version,
-        day,
-        change.title,
-        keys,
-        consequenceOf(change));
-  }
-
-  /// The consequence of a change for its family, as the end of a sentence.
-  std::string consequenceOf(const FamilyChange& change) const {
-    return section_.words(
-        change.isHarmless ? "; it was put back as it was declared."
-                          : ": all of it is exploratory.");
   }
 
   using Ids = std::set<std::string_view>;
@@ -256,6 +298,14 @@ class StatisticsWriter : HtmlWriter {
 };
 
 }  // namespace
+
+std::vector<std::string> planChangesInWords(const ReportSection& section) {
+  std::vector<std::string> sentences;
+  for (const auto& change : section.history.changes) {
+    sentences.push_back(withCurlyQuotes(PlanChange(section, change).inWords()));
+  }
+  return sentences;
+}
 
 std::string statisticsAsHtml(const ReportSection& section, Citations& citations) {
   return StatisticsWriter(section, citations).all();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/joined.h"
 #include "study/model/data_table.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
@@ -22,6 +23,8 @@ class HeadWriter : HtmlWriter {
     if (!more.empty()) put("<p>{}</p>", escaped(more));
     if (!section_.results.families.empty()) heading("The question");
     for (const auto& family : section_.results.families) putDeclared(family);
+    const auto changes = base::joined(planChangesInWords(section_), " ");
+    if (!changes.empty()) put("<p>{}</p>", escaped(changes));
     const auto names =
         say("Titles of the study, of its methods and of what is compared are as in "
             "the protocol, which has them in one language.");
@@ -43,19 +46,28 @@ class HeadWriter : HtmlWriter {
     // in sessions that are no participants' nothing says which version came before them
     const bool isBeforeAll =
         section_.history.versions == 1 || section_.results.runMode == RunMode::Live;
-    const auto plan =
-        say(result.isDeclared && !isBeforeAll
-                ? "“{}”: {} are compared. The protocol declares: {}, α = {}."
-            : result.isDeclared
-                ? "“{}”: {} are compared. Declared before the first participant: {}, "
-                  "α = {}."
-                : "“{}”: {} are compared. Not declared before the first participant, and "
-                  "exploratory: {}, α = {}.",
-            family.title,
-            listed(compared, section_.words),
-            declaredInWords(family, section_.words),
-            exactDecimal(family.alpha));
+    const auto plan = say(
+        result.isDeclared && !isBeforeAll
+            ? "“{}”: {} are compared. The protocol declares: {}, α = {}."
+        : result.isDeclared ? "“{}”: {} are compared. Declared before the first participant: {}, "
+                              "α = {}."
+        : isChanged(family.id)
+            ? "“{}”: {} are compared. Changed after the first participant had begun, and "
+              "exploratory: {}, α = {}."
+            : "“{}”: {} are compared. Not declared before the first participant, and "
+              "exploratory: {}, α = {}.",
+        family.title,
+        listed(compared, section_.words),
+        declaredInWords(family, section_.words),
+        exactDecimal(family.alpha));
     put("<p>{}{}</p>", plan, judged.empty() ? judged : " " + judged);
+  }
+
+  /// Whether a later version changed what the family declares.
+  bool isChanged(const std::string& family) const {
+    return std::ranges::any_of(section_.history.changes, [&](const auto& change) {
+      return change.family == family && change.kind != FamilyChange::Kind::Added;
+    });
   }
 
   /// "Compared are the answers to 6 questions (3 reversed) in round 1 and round 2; scale from 1 to

@@ -55,6 +55,8 @@ struct Declared {
   const analysis::TestRow* test;          ///< has p
   const analysis::TestRow* withinPeople;  ///< the paired t-test of participants' means
   std::size_t people;                     ///< number of participants whose answers it compares
+  /// Of the test that the difference is smaller than the family's bound; std::nullopt without one.
+  std::optional<double> equivalenceP = std::nullopt;
 
   bool isDefined() const { return difference->estimate.value && test->p; }
   bool has(const std::string& condition) const {
@@ -145,6 +147,10 @@ std::vector<std::string> withoutSource(const ReportSection& section);
 /// The methods: apparatus, procedure, analysis, sources and software, with the works that they
 /// cite.
 std::string methodsAsHtml(const ReportSection& section);
+
+/// What later versions of the protocol did to its families after the first participant had begun, a
+/// sentence for each change.
+std::vector<std::string> planChangesInWords(const ReportSection& section);
 
 /// What the protocol declares, and the statistical tests that the report has, with their sources.
 /// @param citations  gets the works that are cited.

@@ -1,6 +1,7 @@
 #include "study/results/vote_tables.h"
 
 #include <algorithm>
+#include <set>
 
 namespace study {
 namespace {
@@ -41,6 +42,28 @@ std::vector<VoteTable> voteTables(const Results& results) {
     tables.push_back(tableOf(results, options));
   }
   return tables;
+}
+
+std::optional<MostNamed> mostNamedIn(const Results& results) {
+  for (const auto& table : voteTables(results)) {
+    MostNamed most{.total = table.total.total()};
+    if (most.total == 0) continue;
+    for (const auto& share : table.total.shares()) most.votes = std::max(most.votes, share.votes);
+    std::vector<std::string> named;
+    for (const auto& share : table.total.shares()) {
+      if (share.votes == most.votes) named.push_back(share.option);
+    }
+    if (named.size() > 1) continue;
+    std::set<std::string> rounds;
+    for (const auto& cohort : table.cohorts) {
+      for (const auto* vote : cohort.rounds) rounds.insert(vote->phase);
+    }
+    most.condition = named.front();
+    most.phase = *rounds.begin();
+    most.rounds = rounds.size();
+    return most;
+  }
+  return std::nullopt;
 }
 
 }  // namespace study

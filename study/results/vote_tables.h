@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,5 +28,17 @@ struct VoteTable {
 
 /// The tables of all votes, one for each set of conditions. They point into @p results.
 std::vector<VoteTable> voteTables(const Results& results);
+
+/// The condition that got most votes, over all cohorts and rounds.
+struct MostNamed {
+  std::string condition;
+  std::string phase;  ///< a phase that asked for votes
+  std::uint64_t votes = 0;
+  std::uint64_t total = 0;
+  std::size_t rounds = 0;
+};
+
+/// std::nullopt if there are no votes, or if several conditions have the largest number of votes.
+std::optional<MostNamed> mostNamedIn(const Results& results);
 
 }  // namespace study

@@ -57,7 +57,11 @@ class EffectPainter {
       painter_.drawRect(
           QRectF(QPointF(canvas_.x(-*bound), top), QPointF(canvas_.x(*bound), bottom)));
     }
-    canvas_.axis(top, bottom, section_.words("difference of participants’ means [points]"));
+    canvas_.axis(
+        top,
+        bottom,
+        section_.words.say(
+            "difference of participants’ means [{}]", unitInWords(section_, family_.family)));
     canvas_.reference(0.0, top, bottom);
     for (const auto& cohort : family_.cohorts) {
       canvas_.heading(section_.cohortTitle(cohort.cohort));

@@ -67,7 +67,10 @@ class ParticipantMeansPainter {
   /// @param bottom  of the rows, where the axis is
   void paint(double bottom) {
     canvas_.axis(
-        RowsCanvas::kHeading, bottom, section_.words("mean score of each participant [points]"));
+        RowsCanvas::kHeading,
+        bottom,
+        section_.words.say(
+            "mean score of each participant [{}]", unitInWords(section_, family_.family)));
     for (const auto& cohort : family_.cohorts) {
       canvas_.heading(section_.cohortTitle(cohort.cohort));
       for (std::size_t method = 0; method < cohort.table.methods.size(); ++method) {

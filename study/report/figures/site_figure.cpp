@@ -57,7 +57,10 @@ class SitePainter {
   /// @param bottom  of the rows, where the axis is
   void paint(double bottom) {
     canvas_.axis(
-        RowsCanvas::kHeading, bottom, section_.words("difference of participants’ means [points]"));
+        RowsCanvas::kHeading,
+        bottom,
+        section_.words.say(
+            "difference of participants’ means [{}]", unitInWords(section_, family_.family)));
     forEachComparison(family_, [&](const auto& cohort, const auto& row) {
       canvas_.heading(
           section_.cohortTitle(cohort.cohort) + ": " + section_.conditionTitle(row.group1) + " − " +

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/summary/flags.h"
+#include "analysis/summary/within_analysis.h"
 #include "protocols/model/messages.h"
 #include "study/report/html_report.h"
 #include "study/report/study_parts.h"
@@ -190,7 +191,11 @@ TEST(Claims, CountsThePeopleOfEachComparisonWhereAnswersAreMissing) {
   EXPECT_TRUE(has(verdict, "none of the 2 differences (")) << verdict;
   EXPECT_TRUE(has(verdict, " points) was significant (3 to 4 people each")) << verdict;
   const auto answer = answerAsHtml(section);
-  EXPECT_TRUE(has(answer, "<p>Orthopaedic surgeons (3 to 4 participants): ")) << answer;
+  EXPECT_TRUE(
+      has(answer, "<p>Orthopaedic surgeons (3 to 4 participants): no difference is significant."))
+      << "without averages, which would be of other people: " << answer;
+  EXPECT_TRUE(has(withinAsHtml(section, family, {}), "Orthopaedic surgeons, 3 to 4 participants"));
+  EXPECT_TRUE(has(withinAsHtml(section, family, {}), ". 1 of 6 participants judged all methods;"));
   EXPECT_TRUE(has(answer, " 1 comparison could not be tested.</p>")) << answer;
   EXPECT_TRUE(has(
       answer,
@@ -201,6 +206,73 @@ TEST(Claims, CountsThePeopleOfEachComparisonWhereAnswersAreMissing) {
   const std::string correction = "A comparison that could not be tested does not count in the ";
   EXPECT_TRUE(has(methodsAsHtml(section), correction));
   EXPECT_FALSE(has(methodsAsHtml(tests::madeUpSection()), correction));
+}
+
+/// The made-up study with a paired t-test that finds nothing, and a bound.
+ReportSection withBound(double bound) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.test = protocols::TestType::PairedT;
+  family.family.equivalenceBound = bound;
+  section.protocol.analysis.families.front().equivalenceBound = bound;
+  for (auto& cohort : family.cohorts) {
+    const std::vector<analysis::DeclaredPair> pairs{
+        {"interpolation", "finite-elements"},
+        {"interpolation", "kalman"},
+        {"kalman", "finite-elements"}};
+    cohort.within = analysis::compareWithin(cohort.table, pairs, {.equivalenceBound = bound});
+    for (auto& row : cohort.within.rows) {
+      for (auto& test : row.tests) test.isSignificant = false;
+    }
+  }
+  return section;
+}
+
+TEST(Claims, SaysWhichDifferencesAreBelowTheDeclaredBound) {
+  const auto wide = withBound(4.0);
+  const auto verdict = verdictOf(wide);
+  EXPECT_TRUE(
+      has(verdict,
+          " was significant (6 people). Negligible as declared, smaller than 4 points (TOST, p ≤ "
+          "0.05): Interpolation and FEM (Orthopaedic surgeons), Interpolation and KF "))
+      << verdict;
+  EXPECT_FALSE(has(verdict, "That does not show")) << verdict;
+  EXPECT_TRUE(has(answerAsHtml(wide), "; TOST p &lt; .001)")) << answerAsHtml(wide);
+  const auto narrow = verdictOf(withBound(0.01));
+  EXPECT_TRUE(has(narrow, "That does not show that they are alike.")) << narrow;
+  EXPECT_FALSE(has(narrow, "Negligible")) << narrow;
+}
+
+TEST(Claims, NamesTheUnitThatAllItemsHave) {
+  auto section = withBound(1.0);
+  EXPECT_TRUE(has(methodsAsHtml(section), "Differences below 1 point count as none."));
+  for (auto& instrument : section.instruments) {
+    for (auto& item : instrument.items) item.unit = "N";
+  }
+  EXPECT_TRUE(has(answerAsHtml(section), "\u00a0N higher than ")) << answerAsHtml(section);
+  EXPECT_TRUE(has(verdictOf(section), "\u00a0N) was significant (6 people)")) << verdictOf(section);
+}
+
+TEST(Claims, SaysNotSignificantOfComparisonsThatWereNotDeclared) {
+  auto section = withBound(1.0);
+  section.results.families.front().isDeclared = false;
+  const auto answer = answerAsHtml(section);
+  EXPECT_TRUE(has(answer, "no difference is significant.")) << answer;
+  EXPECT_TRUE(has(answer, "The comparisons: means, and p")) << answer;
+}
+
+TEST(Claims, SaysWhoseIntervalsStandBesideAnExactTest) {
+  auto section = withBound(1.0);
+  EXPECT_FALSE(has(answerAsHtml(section), "Intervals are Student’s"));
+  section.results.families.front().family.test = protocols::TestType::SignFlip;
+  EXPECT_TRUE(has(answerAsHtml(section), "Intervals are Student’s")) << answerAsHtml(section);
+}
+
+TEST(Claims, NamesNoCohortWhereThereIsOne) {
+  auto section = withBound(0.01);
+  section.results.flow.resize(1);
+  for (auto& vote : section.results.votes) vote.test.exactP = 0.5;
+  EXPECT_TRUE(has(verdictOf(section), "exploratory; not significant)")) << verdictOf(section);
 }
 
 TEST(Claims, NamesItsFamilyAndCountsTheFindingsOfTheOthers) {
@@ -215,6 +287,9 @@ TEST(Claims, NamesItsFamilyAndCountsTheFindingsOfTheOthers) {
       row.isSignificant = &row == &cohort.comparisons.rows[1];
   }
   const auto verdict = verdictOf(section);
+  EXPECT_TRUE(has(limitationsAsHtml(section), "“Realism”: ")) << limitationsAsHtml(section);
+  EXPECT_TRUE(has(limitationsAsHtml(section), "“Effort”: "));
+  EXPECT_TRUE(has(methodsAsHtml(section), " (“Realism”)"));
   EXPECT_TRUE(verdict.starts_with("“Realism”: By the declared test")) << verdict;
   EXPECT_TRUE(
       has(verdict, "Significant differences otherwise: 1 of 3 in “Effort” (all answers pooled)."))
@@ -382,8 +457,7 @@ TEST(Claims, NamesTheHeaviestWeaknessesFirst) {
   auto section = tests::madeUpSection();
   const auto points = weaknessesOf(section);
   ASSERT_GT(points.size(), 4U);
-  EXPECT_EQ(
-      points[0], "Different statements about the methods: Adults without surgical experience");
+  EXPECT_EQ(points[0], "Different statements about the methods");
   EXPECT_EQ(points[1], "Too few participants for an exact test to be significant");
   EXPECT_EQ(
       points[2], "Several answers of one person counted as independent: Orthopaedic surgeons");

@@ -83,6 +83,17 @@ TEST(HtmlReport, SumsVotesOverRoundsAndCohorts) {
   EXPECT_TRUE(has(page, "Sums count a participant once a round."));
 }
 
+TEST(HtmlReport, GivesThePOfChiSquaredWhereVotesAreTooManyToBeCounted) {
+  auto section = tests::madeUpSection();
+  EXPECT_FALSE(has(preferencesAsHtml(section), "χ²"));
+  auto& vote = section.results.votes.front();
+  vote.votes.add("kalman", 5000);
+  vote.test = analysis::equalSharesTest(vote.votes);
+  const auto part = preferencesAsHtml(section);
+  EXPECT_TRUE(has(part, "<td>χ²: &lt; .001</td>")) << part;
+  EXPECT_TRUE(has(part, "χ²: there are too many votes for an exact p")) << part;
+}
+
 TEST(HtmlReport, HasNoSumOfOneRoundAndNoTotalOfOneCohort) {
   auto section = tests::madeUpSection();
   auto& votes = section.results.votes;
@@ -517,6 +528,19 @@ TEST(HtmlReport, NamesFamiliesThatALaterVersionChanged) {
       has(page,
           "put “Ease” back as it was declared, but participants had begun with the "
           "change: all of it is exploratory."));
+  auto& change = section.history.changes.front();
+  change.participants = 4;
+  change.before = protocols::Family{.equivalenceBound = 1.0};
+  change.after = protocols::Family{.test = protocols::TestType::SignedRank};
+  const auto head = headAsHtml(section);
+  EXPECT_TRUE(has(head, "Version 2 (2026-03-01, after 4 participants) changed “Realism” after "))
+      << head;
+  EXPECT_TRUE(
+      has(head,
+          ", test: before Welch’s t-test of all answers, pooled, now exact signed rank test of "
+          "participants’ means, "))
+      << head;
+  EXPECT_TRUE(has(head, ", equivalence bound: before 1 point, now none): all of it is "));
   section.history = {};
   EXPECT_FALSE(has(asHtml({section}), "versions of the protocol"));
 }

@@ -136,7 +136,7 @@ TEST_F(ReportTables, OfTheAnswerHasTheDeclaredTestWithTheDifferenceWithinPeople)
   EXPECT_EQ(row("Declared: "), expected);
   expectSaid(
       "on average; Interpolation was rated 3.02 points higher than FEM (99 % CI [3.08, 3.09], "
-      "pHolm = .343)");
+      "pHolm = .343; TOST p = .327)");
 }
 
 TEST_F(ReportTables, OfMeansHasMeanVarianceAndCountOfEachCondition) {
@@ -184,7 +184,7 @@ TEST_F(ReportTables, OfDifferencesHasWhatTheTableOfTheAnswerHasNot) {
   EXPECT_EQ(
       table.headings,
       (Cells{"Comparison", "t", "df", "gz", "99 % CI", "BF10", "Odds ratio", "99 % CI"}));
-  EXPECT_EQ(table.rows[0], Cells{"Orthopaedic surgeons, 41 participants"});
+  EXPECT_EQ(table.rows[0], Cells{"Orthopaedic surgeons, 301 participants"});
   // exp(1 ± 2.5758 · 0.1)
   EXPECT_EQ(
       table.rows[1],
@@ -383,7 +383,7 @@ TEST_F(ReportTables, HaveOtherNumbersInSentencesBesideThem) {
 TEST_F(ReportTables, HaveSentencesBesideThemAsMedicalJournalsWriteThem) {
   section_.wording = Wording::Vancouver;
   text_ = asRead(asHtml({section_}));
-  expectSaid("(99 % CI 3.08 to 3.09, PHolm = 0.343)");
+  expectSaid("(99 % CI 3.08 to 3.09, PHolm = 0.343; TOST P = 0.327)");
   expectSaid("Friedman χ²(2) = 4.02, P = 0.403, Kendall’s W = 0.44, exact P = 0.405");
 }
 
