@@ -297,9 +297,13 @@ TEST_F(OperatorLayout, IsInTheLanguageThatIsChosenBetweenSessions) {
 TEST_F(OperatorLayout, ShowsEverythingInASession) {
   enrol();
   expectAllInSight(QStringLiteral("in-session"));
+  const auto places = windowGeometriesOn({0, 0, 1920, 1080});
+  window_.participantWindow()->resize(places->participant.size());
   participant_.goTo(StepKind::Trial);
   participant_.cut(2);
   expectAllInSight(QStringLiteral("in-trial"));
+  show(places->own.size());
+  tests::photograph(window_, QStringLiteral("in-trial-tiled"));
   tests::photograph(*window_.participantWindow(), QStringLiteral("in-trial-participant"));
   auto* mirror = window_.findChild<PageMirror*>();
   mirror->show();
