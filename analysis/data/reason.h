@@ -64,6 +64,8 @@ inline constexpr auto kReasons = std::to_array<base::MessageKind>({
      "the likelihood is too flat in the variances to give degrees of freedom"},
     {"moment_beyond_double",
      "a mean or a variance is beyond what a double can hold; t and p hold all the same"},
+    {"negative_alpha",
+     "α is negative: the statements do not measure one thing, or some are keyed the other way"},
     {"no_answers", "there are no answers"},
     {"no_answers_to_method", "one of the methods has no answers"},
     {"no_blocks", "nobody judged all methods"},

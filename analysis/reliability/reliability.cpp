@@ -110,6 +110,7 @@ CronbachAlpha cronbachAlpha(std::span<const std::vector<double>> answers, double
 
   const DoubleDouble ratio = layout.residualMeanSquare() / layout.rowMeanSquare();
   alpha.value = (DoubleDouble(1.0) - ratio).high;
+  if (*alpha.value < 0.0) alpha.reason = reason("negative_alpha");
   const auto df1 = static_cast<double>(layout.rows - 1);
   const FisherDistribution distribution(df1, df1 * static_cast<double>(layout.columns - 1));
   const double tail = 0.5 * (1.0 - level);

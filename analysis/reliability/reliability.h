@@ -17,7 +17,7 @@ struct CronbachAlpha {
   double level = 0.95;               ///< of the interval
   std::optional<double> value;       ///< at most 1; negative if items correlate negatively
   std::optional<Interval> interval;  ///< Feldt's
-  Reason reason;                     ///< why something above is missing; empty if nothing is
+  Reason reason;  ///< why something above is missing, or what a negative value says; else empty
 };
 
 /// Cronbach's α (1951) of the sum of k items, with Feldt's interval (1965):

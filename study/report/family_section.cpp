@@ -198,6 +198,7 @@ class FamilyWriter : HtmlWriter {
 
   void putReliability() {
     bool isAnyImproper = false;
+    base::Message onAlpha;  ///< what a negative α says
     table(
         say("Reliability of the statements"),
         {say("Method"),
@@ -211,10 +212,12 @@ class FamilyWriter : HtmlWriter {
       for (const auto& method : part.checks.methods) {
         if (!isChecked(method)) continue;
         isAnyImproper = isAnyImproper || method.omega.isImproper;
+        const bool isDoubtful = method.alpha.value && !method.alpha.reason.empty();
+        if (isDoubtful) onAlpha = method.alpha.reason;
         row(
             {condition(method.method),
              std::to_string(method.alpha.items),
-             cellOf(method.alpha.value, 2),
+             cellOf(method.alpha.value, 2) + (isDoubtful ? " ‡" : ""),
              cellOf(method.alpha.interval),
              cellOf(method.omega.value, 2) + (method.omega.isImproper ? " †" : "")});
       }
@@ -222,7 +225,10 @@ class FamilyWriter : HtmlWriter {
     endTable();
     const auto agree = say("α and ω: whether the statements about a method agree.");
     const auto improper = say("†: the factor of this ω explains a statement completely.");
-    put("<p class=\"note\">{}{}</p>", agree, isAnyImproper ? " " + improper : std::string());
+    put("<p class=\"note\">{}{}{}</p>",
+        agree,
+        isAnyImproper ? " " + improper : std::string(),
+        onAlpha.empty() ? std::string() : " ‡: " + inWords(onAlpha) + ".");
   }
 
   const FamilyResult& result_;

@@ -88,11 +88,13 @@ class ValidityWriter : HtmlWriter {
     ValueRange alpha;
     ValueRange intervals;
     ValueRange people;
+    std::string caution;  ///< on a negative α
     for (const auto& family : section_.results.families) {
       for (const auto& part : family.cohorts) {
         for (const auto& method : part.checks.methods) {
           if (!method.alpha.value) continue;
           alpha.add(method.alpha.value);
+          if (!method.alpha.reason.empty()) caution = " " + inWords(method.alpha.reason) + ".";
           people.add(static_cast<double>(method.alpha.respondents));
           if (!method.alpha.interval) continue;
           intervals.add(method.alpha.interval->low);
@@ -110,7 +112,7 @@ class ValidityWriter : HtmlWriter {
             : section_.words.say("{} to {}", rounded(people.least, 0), rounded(people.most, 0)),
         rounded(intervals.least, 2),
         rounded(intervals.most, 2));
-    return alpha.least ? escaped(text) : std::string();
+    return alpha.least ? escaped(text) + caution : std::string();
   }
 
   std::string relations() const {

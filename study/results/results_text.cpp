@@ -272,6 +272,8 @@ class Writer {
         add("Shapiro–Wilk " + inWords(method.normality.p));
       }
       if (!defined.empty()) line("  Scale, " + titleOf(method.method) + ": " + defined);
+      if (method.alpha.value && !method.alpha.reason.empty())
+        line("    " + base::describe(method.alpha.reason));
     }
   }
 

@@ -105,6 +105,13 @@ TEST(OmegaTotal, IsAtLeastAlphaIfOneFactorFits) {
   EXPECT_NEAR(omega.loadings[0], 2.0 / std::sqrt(5.0), 1e-13);
 }
 
+TEST(CronbachAlpha, SaysWhatANegativeValueMeans) {
+  const auto alpha = cronbachAlpha(Table{{1, 5}, {2, 4}, {4, 1}});
+  EXPECT_LT(alpha.value.value(), 0.0);
+  EXPECT_EQ(alpha.reason.key(), "negative_alpha");
+  EXPECT_TRUE(cronbachAlpha(kAnswers).reason.empty());
+}
+
 TEST(OmegaTotal, DoesNotDependOnUnits) {
   Table scaled = kAnswers;
   for (auto& row : scaled) {

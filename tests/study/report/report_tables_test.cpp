@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/data/reason.h"
 #include "study/report/html_report.h"
 #include "study/results/results_text.h"
 #include "tests/study/made_study.h"
@@ -231,6 +232,19 @@ TEST_F(ReportTables, BetweenCohortsHasEachTestInItsColumn) {
       {"Cliff’s δ", "0.71"},
       {"95 % CI", "[0.73, 0.74]"}};
   EXPECT_EQ(row("Between cohorts, on participants’ means"), expected);
+}
+
+TEST_F(ReportTables, SayWhatANegativeAlphaMeansWhereverItStands) {
+  auto& alpha = section_.results.families.front().cohorts.front().checks.methods.front().alpha;
+  alpha.value = -0.64;
+  alpha.reason = analysis::reason("negative_alpha");
+  const auto text = asRead(asHtml({section_}));
+  const std::string caution =
+      "α is negative: the statements do not measure one thing, or some are keyed the other way.";
+  EXPECT_NE(text.find("−0.64 ‡"), std::string::npos);
+  EXPECT_NE(text.find("‡: " + caution), std::string::npos) << "below the table";
+  EXPECT_NE(text.find("participants each; "), std::string::npos);
+  EXPECT_NE(text.find(". " + caution), std::string::npos) << "among the evidence of validity";
 }
 
 TEST_F(ReportTables, OfTheScaleHasReliabilityInItsColumns) {
@@ -495,6 +509,14 @@ TEST_F(ResultsText, HasTheNumbersOfTheReportsTablesWithinPeople) {
   expectSaid(profile, "Scale, Interpolation: Cronbach's α = 0.53, ω = 0.58, Shapiro–Wilk p = .512");
   expectSaid(
       profile, "U = 703.5, exact p = .704, Cliff's δ = 0.71 [0.73, 0.74]; Brunner–Munzel p = .708");
+}
+
+TEST_F(ResultsText, SaysWhatANegativeAlphaMeans) {
+  auto results = tests::numberedSection().results;
+  auto& alpha = results.families.front().cohorts.front().checks.methods.front().alpha;
+  alpha.reason = analysis::reason("negative_alpha");
+  const auto text = resultsAsText(*study_, results, Profile::Recommended);
+  EXPECT_NE(text.find("\n    α is negative: the statements do not"), std::string::npos) << text;
 }
 
 }  // namespace report_tables_test
