@@ -31,6 +31,7 @@
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
+#include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 #include "tests/support/scratch_folder.h"
 
