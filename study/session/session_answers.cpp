@@ -79,7 +79,7 @@ std::vector<std::string> Session::alternatives() const {
   const auto* phase = protocol_->protocol.phase(step().phase);
   const auto sessions = study_.sessions();
   std::vector<std::string> felt = step().alternatives;
-  for (int i = 0; i < row_.step; ++i) {
+  for (int i = 0; i < row_.step && !felt.empty(); ++i) {
     const auto& trial = plan_[static_cast<std::size_t>(i)];
     const bool isOffered = trial.kind == StepKind::Trial && !trial.isOptionalTrial &&
                            phase != nullptr && trial.phase == phase->block;
