@@ -64,9 +64,9 @@ FindingsDialog::FindingsDialog(
   for (auto* other : {again, start_, help}) other->setAutoDefault(false);
   connect(help, &QPushButton::clicked, this, &FindingsDialog::openHelp);
   connect(again, &QPushButton::clicked, this, [this, checkAgain] {
-    const auto found = checkAgain();
-    show(found);
-    if (start_->isHidden() || hasFailed(found)) return;
+    const auto nowFound = checkAgain();
+    show(nowFound);
+    if (start_->isHidden() || hasFailed(nowFound)) return;
     start_->setDefault(true);
     start_->setFocus();
   });
