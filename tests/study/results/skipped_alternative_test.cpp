@@ -14,8 +14,6 @@
 namespace study {
 namespace skipped_alternative_test {
 
-using Labels = std::vector<std::string>;
-
 class SkippedAlternativeTest : public testing::Test {
  protected:
   /// A participant who skips the second trial, and is now asked for a preference.
@@ -37,7 +35,7 @@ class SkippedAlternativeTest : public testing::Test {
     for (const auto& item : session.items()) {
       if (item.optionSource != questionnaires::OptionSource::Alternatives) continue;
       auto vote = tests::answerTo(session, item);
-      vote.response = Labels{label};
+      vote.response = label;
       return vote;
     }
     throw std::logic_error("no preference is asked");
