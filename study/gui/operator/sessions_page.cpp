@@ -8,6 +8,7 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QHideEvent>
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/attempt.h"
