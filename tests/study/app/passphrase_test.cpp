@@ -52,14 +52,14 @@ TEST_F(Passphrases, OfNamesAreTypedTwiceBeforeThereIsAStudy) {
   EXPECT_EQ(typed({}, {"study", "verify", study_}).status, 0);
 }
 
-TEST_F(Passphrases, OfNamesAreChangedWithAReason) {
+TEST_F(Passphrases, OfNamesAreChangedByThePresentOne) {
   ASSERT_EQ(create({kGull, kGull}).status, 0);
   const auto change = [&](const std::vector<std::string>& lines) {
     return typed(
         lines, {"study", "names", study_, "--set-passphrase", "--reason", "an operator left"});
   };
-  expectRefused(change({kTern, kGull}), "The second was another one");
-  EXPECT_EQ(change({kTern, kTern}).status, 0);
+  expectRefused(change({kGull, kTern, kGull}), "The second was another one");
+  EXPECT_EQ(change({kGull, kTern, kTern}).status, 0);
   EXPECT_EQ(typed({}, {"study", "verify", study_}).status, 0);
 }
 
