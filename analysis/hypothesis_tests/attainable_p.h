@@ -19,7 +19,7 @@ struct AttainableP {
 
 /// Up to which value the smallest p of a family of tests is significant after correction.
 struct FamilyLevels {
-  double strictest = 0.05;    ///< whatever the other p values of the family are
+  double strictest = 0.05;    ///< for any other p values of the family
   double mostLenient = 0.05;  ///< if all p values of the family are alike
 };
 
@@ -60,7 +60,7 @@ AttainableP smallestMannWhitneyP(std::uint64_t n1, std::uint64_t n2);
 /// @throws std::invalid_argument  for fewer than two options, or more than 1000.
 AttainableP smallestVoteP(std::uint64_t n, int k);
 
-/// The fewest participants with whom an exact paired test can have a p of at most @p level: the
+/// The fewest participants for which an exact paired test can have a p of at most @p level: the
 /// smallest n with 2^(1 − n) ≤ level.
 /// @throws std::invalid_argument  for a level that is not between 0 and 1.
 std::uint64_t fewestParticipantsForSignFlip(double level);

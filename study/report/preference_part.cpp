@@ -21,8 +21,8 @@ class PreferenceWriter : HtmlWriter {
     if (leftOut > 0) {
       const auto counted = count(
           leftOut,
-          "Not counted: {} vote of a participant for whom an alternative was skipped.",
-          "Not counted: {} votes of participants for whom an alternative was skipped.");
+          "Not counted: {} vote of a participant who did not feel every alternative.",
+          "Not counted: {} votes of participants who did not feel every alternative.");
       put("<p class=\"note\">{}</p>", counted);
     }
     const auto exact = say(

@@ -347,8 +347,9 @@ class Writer {
           line(
               votesInWords(title, "after " + vote->block, vote->votes) +
               (isTested ? (exactP ? "exact " : "χ² ") + inWords(p) : "") +
-              (vote->leftOut > 0 ? fmt::format("; not counted: {}, who skipped one", vote->leftOut)
-                                 : ""));
+              (vote->leftOut > 0
+                   ? fmt::format("; not counted: {} without all alternatives felt", vote->leftOut)
+                   : ""));
         }
         if (cohort.rounds.size() > 1) line(votesInWords(title, "Sum", cohort.sum));
       }

@@ -70,7 +70,8 @@ struct FamilyPlan {
   std::size_t conditions = 0;
   std::size_t answers = 0;  ///< per participant and condition; the smallest number over conditions
   bool isScore = false;     ///< whether each answer is a score of a form
-  int points = 5;           ///< number of points of the scale, or of what stands for it
+  int points =
+      5;  ///< number of points of the scale, or of the grid that simulates a continuous one
   bool isContinuous = false;  ///< whether the scale has no points; also that of a score
   double alpha = 0.05;
   analysis::FamilyLevels levels;  ///< powers are at the strictest one

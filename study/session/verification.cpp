@@ -374,7 +374,7 @@ std::string describeOtherAccess(const std::filesystem::path& folder) {
   std::error_code error;
   const auto rights = fs::status(folder, error).permissions();
   const auto has = [&](fs::perms some) { return (rights & some) != fs::perms::none; };
-  // Whoever shares a study with a group lets it write, and new files belong to it.
+  // A folder shared with a group is writable for it, and setgid: new files belong to the group.
   const bool isShared = has(fs::perms::set_gid) && has(fs::perms::group_write);
   if (error || (!has(fs::perms::others_all) && (isShared || !has(fs::perms::group_all)))) return {};
   return std::string(

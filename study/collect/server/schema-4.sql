@@ -1,4 +1,4 @@
--- The schema palpate, step 4: a reason counts once it is committed, so that nobody reads and takes it back; and operators
+-- The schema palpate, step 4: a reason counts once it is committed, so that it cannot be rolled back after reading; and operators
 -- see no station of another site.
 
 ALTER TABLE access ADD COLUMN written_by xid8 NOT NULL DEFAULT pg_current_xact_id();

@@ -222,7 +222,7 @@ void SessionsPage::resizeEvent(QResizeEvent* event) {
   fitColumns();
 }
 
-/// Each participant's cohort is chosen anew: the one before would be taken by mistake.
+/// The cohort has to be chosen for each participant: the previous one would be taken by mistake.
 void SessionsPage::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   if (!event->spontaneous()) cohort_->setCurrentIndex(0);

@@ -48,7 +48,7 @@ TEST_F(Backups, ADumpAndItsRolesMakeTheSameServerElsewhere) {
   runSession("bergen");
   push("oslo");
   push("bergen");
-  // By an account that is no superuser, whatever a station left in the database.
+  // By an account that is no superuser, even if a station left objects in the database.
   const auto keeper = "keeper_" + database();
   admin().execute("CREATE ROLE " + keeper + " LOGIN IN ROLE palpate_owner");
   as("station_oslo").execute("SELECT lo_creat(1)");
